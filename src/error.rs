@@ -1,0 +1,74 @@
+//! Why a constructor refused its arguments.
+//!
+//! Floor 0: imports nothing. The hot path has no errors: only constructors return them.
+
+use core::fmt;
+
+/// The parameter that a constructor refused, one variant each.
+///
+/// ```
+/// use lobe::{Error, Roughness};
+/// assert_eq!(Roughness::from_alpha(-0.1_f32), Err(Error::Alpha));
+/// assert_eq!(Error::Alpha.to_string(), "alpha must lie in [0, 1e9]");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Error {
+    /// `alpha` is outside `[0, 1e9]` or NaN.
+    Alpha,
+    /// `alpha_x` is outside `[0, 1e9]` or NaN.
+    AlphaX,
+    /// `alpha_y` is outside `[0, 1e9]` or NaN.
+    AlphaY,
+    /// `angle` is infinite or NaN.
+    Angle,
+    /// `perceptual` is outside `[0, 1]` or NaN.
+    Perceptual,
+    /// `sigma_x` is outside `[0, 1e9]` or NaN.
+    SigmaX,
+    /// `sigma_y` is outside `[0, 1e9]` or NaN.
+    SigmaY,
+    /// `rho` is outside `[-1, 1]` or NaN.
+    Rho,
+    /// `matrix` has an entry beyond 1e18 in magnitude, or NaN.
+    MatrixEntry,
+    /// `matrix` has a negative eigenvalue.
+    MatrixNotPositive,
+    /// `mean` has a component beyond 1e9 in magnitude, or NaN.
+    Mean,
+    /// `variance` is outside `[0, 1e9]` or NaN.
+    Variance,
+    /// `limit` is negative or NaN.
+    Limit,
+    /// `weight` is negative, infinite or NaN, or the weights sum to zero.
+    Weight,
+    /// A half vector is not finite or does not point above the surface, so it has no slope.
+    HalfVector,
+    /// A position or direction has no length, or is infinite or NaN.
+    Direction,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Alpha => "alpha must lie in [0, 1e9]",
+            Self::AlphaX => "alpha_x must lie in [0, 1e9]",
+            Self::AlphaY => "alpha_y must lie in [0, 1e9]",
+            Self::Angle => "angle must be finite",
+            Self::Perceptual => "perceptual roughness must lie in [0, 1]",
+            Self::SigmaX => "sigma_x must lie in [0, 1e9]",
+            Self::SigmaY => "sigma_y must lie in [0, 1e9]",
+            Self::Rho => "rho must lie in [-1, 1]",
+            Self::MatrixEntry => "matrix entries must lie in [-1e18, 1e18]",
+            Self::MatrixNotPositive => "matrix must be positive semi-definite",
+            Self::Mean => "mean slope must lie in [-1e9, 1e9]",
+            Self::Variance => "variance must lie in [0, 1e9]",
+            Self::Limit => "limit must not be negative",
+            Self::Weight => "weights must be finite and not negative, and not all zero",
+            Self::HalfVector => "half vector must be finite and point above the surface",
+            Self::Direction => "direction or position must be finite and have a length",
+        })
+    }
+}
+
+impl core::error::Error for Error {}

@@ -1,0 +1,170 @@
+//! The mass of the unit GGX density over a parallelogram as a sum over its edges.
+//!
+//! Floor 3. Green's theorem with the field $w/(2\pi(1 + |w|^2))$; the angles of Lambert's formula.
+
+use super::frame::Frame;
+use super::strip::Whitened;
+use crate::scalar::Real;
+
+/// Mean over a parallelogram around or beside the lobe, if it is one that its corners in plain arithmetic serve:
+/// the common case of a large footprint.
+///
+/// In terms of corners $p_k$, the term of an edge $e = p_{k+1} - p_k$ with $c = p_k \times e$ and
+/// $r = \sqrt{e^2 + c^2}$ is $\frac{c}{r} \mathrm{atan2}(r, 1 + p_k \cdot p_{k+1})$: Lambert's formula for
+/// the directions $(p_k, 1)$. Its terms are of order one, and so must the mass be, nearly: the parallelogram
+/// is near and thick. Of a long one the corners have lost digits; they do not matter if all edges pass at a
+/// distance of the lobe, as the mass beyond falls like their cube.
+#[inline(always)]
+pub(super) fn around_the_lobe<R: Real>(
+    w: &Whitened<R>,
+    centre2: R,
+    side2: R,
+    exact_area: impl Fn() -> R,
+) -> Option<R> {
+    let area = w.u[0] * w.v[1] - w.u[1] * w.v[0];
+    let height2 = area * area / side2;
+    let q = R::ONE + centre2;
+    let near = centre2 <= R::lit(16.0) && side2 <= R::lit(32.0 * 32.0);
+    let thick =
+        height2 >= (R::lit(0.25) * q).min(R::lit(0.01) * (q * q * q).max(R::lit(0.016) * side2));
+    let depth2 = R::lit(0.1 * 0.1) * side2.sqrt();
+    if !(if near { thick } else { height2 >= R::lit(4.0) * depth2 }) {
+        return None;
+    }
+    let (half, turn) = (R::HALF, if area < R::ZERO { -R::ONE } else { R::ONE });
+    let corners = |axis: usize| {
+        let (along, across) = (half * (w.u[axis] + w.v[axis]), half * (w.u[axis] - w.v[axis]));
+        let centre = w.centre[axis];
+        [centre - along, centre + across, centre + along, centre - across]
+    };
+    let next = |p: [R; 4]| [p[1], p[2], p[3], p[0]];
+    // Arrays of four, one operation at a time: the compiler turns each into lanes.
+    let (px, py) = (corners(0), corners(1));
+    let (qx, qy) = (next(px), next(py));
+    let (mut terms, mut depth) = ([R::ZERO; 4], [R::ZERO; 4]);
+    for k in 0..4 {
+        let (dx, dy) = (qx[k] - px[k], qy[k] - py[k]);
+        let c = px[k] * dy - py[k] * dx;
+        let e2 = dx * dx + dy * dy;
+        let r = (e2 + c * c).sqrt();
+        terms[k] = c / r * r.atan2(R::ONE + px[k] * qx[k] + py[k] * qy[k]);
+        // Positive if the lobe lies inwards, deep enough.
+        depth[k] = turn * c * c.abs() - depth2 * e2;
+    }
+    let inward = depth.iter().all(|&depth| depth > R::ZERO);
+    let sum = (terms[0] + terms[1]) + (terms[2] + terms[3]);
+    let area = if near { area } else { turn * exact_area() };
+    let mean = (sum / area * R::lit(0.5 * core::f64::consts::FRAC_1_PI)).max(R::ZERO);
+    (near || inward).then_some(mean)
+}
+
+/// The four edges, counter-clockwise from the bottom: signed distance d of the lobe's centre from each
+/// line, positive to its left, coordinates along it of its two ends, and its length. An array each, as the
+/// terms are evaluated side by side.
+struct Edges<R> {
+    d: [R; 4],
+    t0: [R; 4],
+    t1: [R; 4],
+    length: [R; 4],
+}
+
+impl<R: Real> Edges<R> {
+    #[inline(always)]
+    fn new(p: &Frame<R>) -> Self {
+        let Frame { low, high, low_n, high_n, side, within_left, within_right, .. } = *p;
+        let (bt, bn) = (p.shear / side, p.height / side);
+        let up = |t: R, n: R| t * bt + n * bn;
+        Self {
+            d: [-low_n, within_right, high_n, within_left],
+            t0: [low[0], up(low[1], low_n), -high[1], -up(high[0], high_n)],
+            t1: [low[1], up(high[1], high_n), -high[0], -up(low[0], low_n)],
+            length: [p.length, side, p.length, side],
+        }
+    }
+
+    /// Squared distance of the lobe's centre from the parallelogram; 0 inside.
+    #[inline(always)]
+    fn distance_squared(&self) -> R {
+        let mut nearest = R::MAX;
+        let mut deepest = R::MAX;
+        for k in 0..4 {
+            let beyond = self.t0[k].max(-self.t1[k]).max(R::ZERO);
+            nearest = nearest.min(self.d[k] * self.d[k] + beyond * beyond);
+            deepest = deepest.min(self.d[k]);
+        }
+        if deepest > R::ZERO { R::ZERO } else { nearest }
+    }
+
+    /// The sum of a term over all edges.
+    #[inline(always)]
+    fn sum(&self, term: impl Fn(R, R, R, R) -> R) -> R {
+        let mut terms = [R::ZERO; 4];
+        for (k, value) in terms.iter_mut().enumerate() {
+            *value = term(self.d[k], self.t0[k], self.t1[k], self.length[k]);
+        }
+        (terms[0] + terms[1]) + (terms[2] + terms[3])
+    }
+}
+
+/// Mass over the parallelogram, $\frac{1}{2\pi} \sum \frac{d}{\sqrt q} \mathrm{atan2}(\ell \sqrt q,
+/// q + t_0 t_1)$.
+#[inline(always)]
+pub(super) fn mass<R: Real>(p: &Frame<R>) -> R {
+    let edges = Edges::new(p);
+    let turn = R::lit(0.5 * core::f64::consts::FRAC_1_PI);
+    // From outside, the terms add up to whole turns plus a mass that falls like the squared distance: far
+    // away the turns are left out. (The bounding rectangle of a long sheared footprint does not tell.)
+    let sum =
+        if edges.distance_squared() <= R::lit(3.0) { edges.sum(near) } else { edges.sum(far) };
+    (sum * turn).max(R::ZERO)
+}
+
+/// An edge's term as it stands in the formula.
+#[inline(always)]
+fn near<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
+    let q = R::ONE + d * d;
+    let s = q.sqrt();
+    d / s * (length * s).atan2(q + t0 * t1)
+}
+
+/// An edge's term less the angle F that the edge subtends at the centre of the flat plane: both are of
+/// order one, their difference of order 1/q, formed without subtracting them.
+///
+/// With $\delta = \sqrt q - |d| = 1/(\sqrt q + |d|)$, the formula's angle A exceeds F by
+/// $\mathrm{atan2}(\ell \delta (t_0 t_1 - \sqrt q |d|),\; (q + t_0 t_1)(d^2 + t_0 t_1) + \ell^2 \sqrt q
+/// |d|)$, and $|d|/\sqrt q = 1 - \delta/\sqrt q$. The angles F sum to whole turns.
+#[inline(always)]
+fn far<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
+    let (product, depth) = (t0 * t1, d.abs());
+    let q = R::ONE + d * d;
+    let s = q.sqrt();
+    let seen_end_on = d * d <= product && d * d * length <= product;
+    if seen_end_on && s * length <= q + product {
+        return -radial(d, t0, t1, length);
+    }
+    let delta = R::ONE / (s + depth);
+    let angle = (length * s).atan2(q + product);
+    let y = length * delta * (product - s * depth);
+    let x = (q + product) * (d * d + product) + length * length * s * depth;
+    let term = y.atan2(x) - angle * delta / s;
+    if d > R::ZERO { term } else { -term }
+}
+
+/// $F - \frac{d}{s} A$ of [`far`] for an edge that points at the lobe, whose two angles nearly agree.
+///
+/// With $E(z) = \arctan z - z/(1 + z^2)$ and $z_x = x \ell/(x^2 + t_0 t_1)$ it is
+/// $d \ell \frac{(d^2 + t_0 t_1)(q + t_0 t_1) + t_0 t_1 \ell^2}{(d^2 + t_0^2)(d^2 + t_1^2)(q + t_0^2)(q +
+/// t_1^2)} + E(z_d) - \frac{d}{s} E(z_s)$: a sum of positive terms and a small rest.
+#[inline(always)]
+fn radial<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
+    let (product, d2) = (t0 * t1, d * d);
+    let q = R::ONE + d2;
+    let s = q.sqrt();
+    let (flat, round) = (d2 + product, q + product);
+    let (first, second) = ((d2 + t0 * t0) * (q + t0 * t0), (d2 + t1 * t1) * (q + t1 * t1));
+    let main = length
+        * ((flat / first) * (round / second) + (product / first) * (length * length / second));
+    let rest =
+        (d.abs() * length / flat).atan_excess() - d.abs() / s * (s * length / round).atan_excess();
+    d * main + if d > R::ZERO { rest } else { -rest }
+}

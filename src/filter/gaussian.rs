@@ -1,0 +1,121 @@
+//! Gaussian kernels: exact on Beckmann, by variance addition or by quadrature on GGX.
+//!
+//! Floor 3.
+
+use super::kernel::Kernel;
+use crate::scalar::Real;
+use crate::slope::{Full, Lobe, Roughness, Shape};
+
+impl<R: Real> Roughness<R> {
+    /// The roughness under a Gaussian kernel, $A' = A + 2\Sigma_K$.
+    ///
+    /// For Beckmann this is the convolution, exactly. For GGX it is variance addition, what Kaplanyan,
+    /// Tokuyoshi and every engine do: its peak is too bright by 8, 24, 22 and 14 % at
+    /// $2\sigma_K^2/\alpha^2$ = 0.1, 1, 3 and 10, and its tail decays from the widened alpha, where
+    /// the true one keeps $\alpha^2/(\pi s^4)$. A mirror under a regular kernel becomes a regular lobe.
+    ///
+    /// Source: Kaplanyan et al. 2016, Eq. 15; Tokuyoshi 2017, Eq. 3.
+    ///
+    /// ```
+    /// use lobe::{Footprint, Kernel, PixelFilter, Roughness};
+    /// let kernel = Kernel::of(&Footprint::rectangle([0.2_f64, 0.2]), PixelFilter::KAPLANYAN);
+    /// let widened = Roughness::from_alpha(0.1)?.widened(&kernel);
+    /// assert!((widened.alphas().x - (0.01_f64 + 0.02).sqrt()).abs() < 1e-15);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn widened(&self, kernel: &Kernel<R>) -> Self {
+        self.plus(&Self::from_covariance(kernel.covariance()))
+    }
+}
+
+impl<R: Real> Lobe<R> {
+    /// The lobe under a Gaussian kernel: the same mean, [`Roughness::widened`].
+    ///
+    /// ```
+    /// use lobe::{Footprint, Ggx, Kernel, Lobe, PixelFilter, Roughness};
+    /// let lobe = Lobe::centred(Roughness::from_alpha(0.01_f32)?);
+    /// let footprint = Footprint::from_slopes([0.1, 0.0], [0.02, 0.05]);
+    /// let filtered = lobe.widened(&Kernel::of(&footprint, PixelFilter::KAPLANYAN));
+    /// let ndf = Ggx::new(filtered.shape());
+    /// let up = [0.0, 0.0, 1.0];
+    /// assert!(ndf.brdf(up, up) < Ggx::new(lobe.shape()).brdf(up, up));
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn widened(&self, kernel: &Kernel<R>) -> Self {
+        self.with_roughness(self.roughness().widened(kernel))
+    }
+}
+
+/// GGX convolved with a Gaussian kernel, $(P_{22} * \mathcal N(0, \Sigma_K))(s)$, by quadrature.
+///
+/// GGX is a scale mixture of Beckmann lobes, so with $M = A/t + 2\Sigma_K$ and $d = s - \mu$
+/// $$\int_0^\infty e^{-t}\, \frac{e^{-d^T M^{-1} d}}{\pi \sqrt{\det M}}\, dt.$$
+/// Trapezoid rule in $x = \ln t$ with the determinant and adjugate form of M as sums of non-negative
+/// terms; the range follows the exponent, so that far tails are as exact as the peak. Error below
+/// 1e-5 (f32) and 1e-12 (f64), relative; 60 to 250 nodes: a reference, not a shading method. With a zero
+/// kernel it is GGX itself; for a mirror it is the kernel's Gaussian; where the sum is singular, 0.
+///
+/// Source: the mixture, d'Eon 2023 "Student-T and Beyond", Eq. 7, for two degrees of freedom.
+///
+/// ```
+/// use lobe::{Footprint, Kernel, Lobe, PixelFilter, Roughness, filter};
+/// let lobe = Lobe::centred(Roughness::from_alpha(0.1_f64)?);
+/// let kernel = Kernel::of(&Footprint::rectangle([0.1, 0.1]), PixelFilter::KAPLANYAN);
+/// let exact = filter::ggx_gaussian_mean(&lobe, [0.0, 0.0], &kernel);
+/// let added = lobe.widened(&kernel);
+/// let proxy = lobe::Ggx::new(added.shape()).slope_pdf([0.0, 0.0]);
+/// assert!(proxy > 1.1 * exact); // variance addition is too bright
+/// # Ok::<(), lobe::Error>(())
+/// ```
+pub fn ggx_gaussian_mean<R: Real>(
+    lobe: &Lobe<R>,
+    slope: impl Into<[R; 2]>,
+    kernel: &Kernel<R>,
+) -> R {
+    let base = lobe.roughness().matrix();
+    let added = kernel.covariance().scaled(R::TWO);
+    if base.plus(&added).is_singular() {
+        return R::ZERO;
+    }
+    // d^T adj(M) d = base_form / t + added_form; det M = base_det / t^2 + mixed / t + added_det.
+    let (d, d_low) = lobe.shape().offset(slope.into());
+    let m = [d[0], d[1], R::ZERO];
+    let low = [d_low[0], d_low[1], R::ZERO];
+    let adjugate_form = |matrix: &crate::scalar::Psd<R>| {
+        let full = Full::new(Roughness::from_matrix(*matrix));
+        if matrix.is_singular() {
+            // Of rank one, M = w w^T: the square of the cross product with w.
+            let [xx, xy, yy] = matrix.entries();
+            let u = if xx >= yy { xx * d[1] - xy * d[0] } else { xy * d[1] - yy * d[0] };
+            let scale = xx.max(yy);
+            if scale > R::ZERO { u * (u / scale) } else { R::ZERO }
+        } else {
+            full.root_det() * full.form(m, low)
+        }
+    };
+    let (base_form, added_form) = (adjugate_form(&base), adjugate_form(&added));
+    let (base_det, mixed, added_det) = (base.det(), base.mixed_det(&added), added.det());
+
+    // The integrand t e^{-t - E(t)} / sqrt(det M) falls at least like t below the smaller of 1 and the t
+    // where E(t) = 1, and like e^{-t} above 1: cut at relative 1e-8 (f32) and 1e-14 (f64).
+    let (below, step) = if R::SINGLE { (18.0, 0.45) } else { (32.0, 0.28) };
+    let exponent_at =
+        |t: R| (base_form / t + added_form) / ((base_det / t + mixed) / t + added_det);
+    let mut start = -below;
+    // E(t) <= E'(0) t: halve x until E is small, in steps of the trapezoid.
+    while exponent_at(R::lit(start + below).exp()) > R::ONE && start > -90.0 {
+        start -= 4.0 * step;
+    }
+    let nodes = ((3.8 - start) / step) as i32;
+    let mut sum = R::ZERO;
+    for node in 0..=nodes {
+        let t = R::lit(start + step * f64::from(node)).exp();
+        let det = (base_det / t + mixed) / t + added_det;
+        sum = sum + t * (-t - exponent_at(t)).exp() / det.sqrt();
+    }
+    sum * R::lit(step * core::f64::consts::FRAC_1_PI)
+}

@@ -1,0 +1,124 @@
+//! The pixel's kernel as a slope covariance, with the pixel filter named.
+//!
+//! Floor 3. The same citation hides factors from 0.159 to 0.5 in shipped code, because the filter's
+//! variance is left unsaid. Here it has a name.
+
+use crate::error::Error;
+use crate::scalar::{Psd, Real};
+use crate::slope::Footprint;
+
+/// The pixel filter that a Gaussian kernel stands for, as a variance in squared pixels.
+///
+/// ```
+/// use lobe::PixelFilter;
+/// assert_eq!(PixelFilter::BOX.variance(), 1.0 / 12.0);
+/// assert!(PixelFilter::with_variance(-1.0).is_err());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PixelFilter {
+    variance: f64,
+}
+
+impl PixelFilter {
+    /// The variance of the box pixel, 1/12: what a reference with uniform samples in the pixel sees.
+    pub const BOX: Self = Self { variance: 1.0 / 12.0 };
+
+    /// A Gaussian of half a pixel's deviation, 1/4: Kaplanyan et al. 2016 section 4.3, Tokuyoshi
+    /// 2017 Eq. 2, Tokuyoshi & Kaplanyan 2019. Three times the box's variance.
+    pub const KAPLANYAN: Self = Self { variance: 0.25 };
+
+    /// A Gaussian whose peak is one per pixel, $1/(2\pi)$: Tokuyoshi & Kaplanyan 2021.
+    pub const TOKUYOSHI_KAPLANYAN: Self = Self { variance: 0.5 * core::f64::consts::FRAC_1_PI };
+
+    /// A filter of this variance, in squared pixels.
+    ///
+    /// # Errors
+    /// [`Error::Variance`] unless in $[0, 10^9]$.
+    pub fn with_variance(variance: f64) -> Result<Self, Error> {
+        if variance.is_magnitude() { Ok(Self { variance }) } else { Err(Error::Variance) }
+    }
+
+    /// The variance in squared pixels.
+    pub fn variance(self) -> f64 {
+        self.variance
+    }
+}
+
+/// The covariance $\Sigma_K$ of a Gaussian kernel on the slope plane.
+///
+/// $\Sigma_K = \sigma_{px}^2 (d_u d_u^T + d_v d_v^T)$: outer products of the derivative vectors, not
+/// the Gram matrix of the pixel axes that Kaplanyan's Eq. 13 gives when read with row vectors, and
+/// that shaders ported from row-major to column-major languages compute. Trace and determinant of the
+/// two agree, so only a rotated footprint shows the difference.
+///
+/// ```
+/// use lobe::{Footprint, Kernel, PixelFilter};
+/// // The same step on both pixel axes: all spread is along that step.
+/// let footprint = Footprint::from_slopes([0.1_f64, 0.0], [0.1, 0.0]);
+/// let [xx, xy, yy] = Kernel::of(&footprint, PixelFilter::KAPLANYAN).covariance().entries();
+/// assert!((xx - 0.005).abs() < 1e-15 && xy == 0.0 && yy == 0.0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Kernel<R> {
+    covariance: Psd<R>,
+}
+
+impl<R: Real> Kernel<R> {
+    /// The Gaussian kernel of a footprint under a pixel filter.
+    ///
+    /// Footprints of grazing half vectors have no bound: where a deviation would exceed $10^9$ the footprint
+    /// is shrunk in proportion, as squares would overflow. That wide, no lobe has a density above 1e-18.
+    #[inline]
+    pub fn of(footprint: &Footprint<R>, filter: PixelFilter) -> Self {
+        let variance = R::lit(filter.variance);
+        let largest = footprint.extents()[0].max(footprint.extents()[1]);
+        let limit = R::LARGEST / R::lit(filter.variance.max(1.0)).sqrt();
+        let (mut u, mut v) = (footprint.u, footprint.v);
+        if largest > limit {
+            let bounded = footprint.rescaled(limit);
+            (u, v) = (bounded.u, bounded.v);
+        }
+        Self { covariance: Psd::outer_sum(u, v).scaled(variance) }
+    }
+
+    /// A kernel of this covariance: an area light, a depth of field, a normal map's spread.
+    #[inline]
+    pub fn from_covariance(covariance: Psd<R>) -> Self {
+        Self { covariance }
+    }
+
+    /// The covariance $\Sigma_K$.
+    #[inline]
+    pub fn covariance(&self) -> Psd<R> {
+        self.covariance
+    }
+
+    /// Two kernels one after the other: covariances add.
+    ///
+    /// Source: Kaplanyan et al. 2016, Eq. 21.
+    #[must_use]
+    pub fn then(&self, other: &Self) -> Self {
+        Self { covariance: self.covariance.plus(&other.covariance) }
+    }
+
+    /// The kernel with the alpha^2 it adds, $2\Sigma_K$, limited to `limit` along each of its axes. A
+    /// negative limit counts as 0.
+    ///
+    /// Kaplanyan's code and Tokuyoshi 2017 limit it to 0.18 ([`Kernel::ALPHA_SQUARED_LIMIT`]) per
+    /// frame axis or as a scalar; limiting the eigenvalues is the same for those and does not depend on
+    /// the frame.
+    ///
+    /// ```
+    /// use lobe::{Footprint, Kernel, PixelFilter};
+    /// let wide = Kernel::of(&Footprint::rectangle([9.0_f64, 0.1]), PixelFilter::BOX);
+    /// let capped = wide.capped(0.18).covariance().entries();
+    /// assert!((capped[0] - 0.09).abs() < 1e-15 && (capped[2] - 0.01 / 12.0).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn capped(&self, limit: R) -> Self {
+        Self { covariance: self.covariance.capped(R::HALF * limit) }
+    }
+
+    /// The limit on added alpha^2 of Kaplanyan's 2016 code and of Tokuyoshi 2017, Eq. 10 and 13.
+    pub const ALPHA_SQUARED_LIMIT: f64 = 0.18;
+}

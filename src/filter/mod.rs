@@ -1,0 +1,22 @@
+//! Filters: a lobe averaged over what a pixel covers.
+//!
+//! Gaussian kernels widen a lobe into another lobe ([`Kernel`], [`Lobe::widened`](crate::Lobe::widened)).
+//! Polygons average its density exactly ([`Ndf::parallelogram_mean`](crate::Ndf::parallelogram_mean)).
+
+mod beckmann;
+mod deferred;
+mod edges;
+mod frame;
+mod gaussian;
+mod kernel;
+mod polygon;
+mod published;
+mod segment;
+mod strip;
+mod thin;
+
+pub use beckmann::beckmann_rectangle_mean;
+pub use deferred::tokuyoshi_deferred_alpha;
+pub use gaussian::ggx_gaussian_mean;
+pub use kernel::{Kernel, PixelFilter};
+pub use published::{kaplanyan_rectangle_mean, kaplanyan_rectangle_mean_as_printed};

@@ -1,0 +1,135 @@
+//! A whitened footprint, and the strip along its longer side.
+//!
+//! Floor 3. The common case of a thin footprint: its shorter side is short against its distance from the
+//! lobe, so that fibres along the longer one change smoothly across.
+
+use super::segment::{near_mean, uniform_mean};
+use crate::scalar::Real;
+use crate::scalar::quadrature::Rule;
+use crate::slope::{Footprint, Shape};
+
+/// Length in distances up to which whitened coordinates keep five digits in f32.
+const LONG: f64 = 32.0;
+
+/// Centre and sides in units of the lobe.
+#[derive(Clone, Copy)]
+pub(super) struct Whitened<R> {
+    pub(super) centre: [R; 2],
+    pub(super) u: [R; 2],
+    pub(super) v: [R; 2],
+}
+
+#[inline(always)]
+pub(super) fn dot<R: Real>(a: [R; 2], b: [R; 2]) -> R {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+impl<R: Real> Whitened<R> {
+    #[inline(always)]
+    pub(super) fn new<S: Shape<Scalar = R>>(
+        shape: &S,
+        offset: [R; 2],
+        low: [R; 2],
+        footprint: &Footprint<R>,
+    ) -> Self {
+        let zero = [R::ZERO; 2];
+        Self {
+            centre: shape.whiten(offset, low),
+            u: shape.whiten(footprint.u, zero),
+            v: shape.whiten(footprint.v, zero),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn centre_squared(&self) -> R {
+        dot(self.centre, self.centre)
+    }
+
+    #[inline(always)]
+    pub(super) fn longer_side_squared(&self) -> R {
+        dot(self.u, self.u).max(dot(self.v, self.v))
+    }
+
+    /// True if `v` is the longer side.
+    #[inline(always)]
+    pub(super) fn is_swapped(&self) -> bool {
+        dot(self.v, self.v) > dot(self.u, self.u)
+    }
+}
+
+/// A parallelogram in the frame (t, n) along and across its longer side: that side's ends on the middle line,
+/// and the shorter side (lean, rise).
+#[derive(Clone, Copy)]
+pub(super) struct Strip<R> {
+    start: R,
+    end: R,
+    n: R,
+    length: R,
+    lean: R,
+    rise: R,
+    /// One plus the squared distance from the lobe's centre to the bounding rectangle of this frame.
+    nearness: R,
+}
+
+/// One plus the squared distance of a rectangle from the origin.
+#[inline(always)]
+pub(super) fn nearness<R: Real>(centre: [R; 2], reach: [R; 2]) -> R {
+    let t = (centre[0].abs() - reach[0]).max(R::ZERO);
+    let n = (centre[1].abs() - reach[1]).max(R::ZERO);
+    R::ONE + t * t + n * n
+}
+
+impl<R: Real> Strip<R> {
+    /// The longer side is not 0.
+    #[inline(always)]
+    pub(super) fn new(w: &Whitened<R>) -> Self {
+        let swap = w.is_swapped();
+        let pick = |k: usize| if swap { (w.v[k], w.u[k]) } else { (w.u[k], w.v[k]) };
+        let ((ax, bx), (ay, by)) = (pick(0), pick(1));
+        let length = dot([ax, ay], [ax, ay]).sqrt();
+        let inverse = R::ONE / length;
+        let (axis, turned) = ([ax * inverse, ay * inverse], [-ay * inverse, ax * inverse]);
+        let half = R::HALF;
+        let [x, y] = w.centre;
+        // Ends as points: one near the lobe has more digits than centre and length together.
+        let (first, last) = ([x - half * ax, y - half * ay], [x + half * ax, y + half * ay]);
+        let (start, end) = (dot(axis, first), dot(axis, last));
+        let closer = if start.abs() < end.abs() { first } else { last };
+        let n = dot(turned, if start * end < R::ZERO { w.centre } else { closer });
+        let (lean, rise) = (dot(axis, [bx, by]), dot(turned, [bx, by]));
+        let reach = [half * (length + lean.abs()), half * rise.abs()];
+        let nearness = nearness([half * (start + end), n], reach);
+        Self { start, end, n, length, lean, rise, nearness }
+    }
+
+    /// True if no corner can lie much nearer to the lobe than the strip is long, so that the rounding of
+    /// centre and sides, which all corners inherit, does not show.
+    #[inline(always)]
+    pub(super) fn keeps_digits(&self) -> bool {
+        self.length * self.length <= R::lit(LONG * LONG) * self.nearness
+    }
+
+    /// True if the shorter side is at most half the distance of the nearest pole.
+    #[inline(always)]
+    pub(super) fn is_narrow(&self) -> bool {
+        self.lean * self.lean + self.rise * self.rise <= R::lit(0.5 * 0.5) * self.nearness
+    }
+
+    /// Mean of the unit density over a narrow strip.
+    #[inline(always)]
+    pub(super) fn mean<const N: usize>(&self, rule: &Rule<N>) -> R {
+        if self.nearness <= R::lit(9.0) {
+            self.mean_of(rule, near_mean)
+        } else {
+            self.mean_of(rule, uniform_mean)
+        }
+    }
+
+    #[inline(always)]
+    fn mean_of<const N: usize>(&self, rule: &Rule<N>, fibre: impl Fn(R, R, R, R) -> R) -> R {
+        rule.mean(|y| {
+            let slide = y * self.lean;
+            fibre(self.n + y * self.rise, self.start + slide, self.end + slide, self.length)
+        })
+    }
+}

@@ -1,0 +1,13 @@
+//! Floats without microfacets: precision, elementary functions, exact products, small matrices.
+
+pub(crate) mod atan;
+pub(crate) mod erfc;
+pub(crate) mod exact;
+pub(crate) mod exp;
+mod math;
+pub(crate) mod psd;
+pub(crate) mod quadrature;
+mod real;
+
+pub use psd::{Eigen, Psd};
+pub use real::Real;

@@ -1,0 +1,220 @@
+//! The one trait over f32 and f64 that every formula is written in.
+//!
+//! Floor 0. Sealed: the polynomials behind `exp`, `atan` and `erfc` exist for these two widths only.
+
+use super::{atan, erfc, exp, math};
+use core::fmt::{Debug, Display};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// A floating-point precision: `f32` for engines, `f64` for offline renderers and as reference.
+///
+/// Every function of the crate is written once over this trait. Elementary functions are our own
+/// polynomials with stated errors, so their bits do not depend on the platform.
+///
+/// ```
+/// use lobe::Real;
+/// fn half_of<R: Real>(x: R) -> R {
+///     R::HALF * x
+/// }
+/// assert_eq!(half_of(3.0_f32), 1.5);
+/// assert_eq!(f64::lit(0.1).exp(), 0.1_f64.exp());
+/// ```
+pub trait Real:
+    sealed::Sealed
+    + Copy
+    + PartialOrd
+    + Default
+    + Debug
+    + Display
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// 0.
+    const ZERO: Self;
+    /// 1/2.
+    const HALF: Self;
+    /// 1.
+    const ONE: Self;
+    /// 2.
+    const TWO: Self;
+    /// Ratio of a circle's circumference to its diameter.
+    const PI: Self;
+    /// Distance from 1 to the next larger number.
+    const EPSILON: Self;
+    /// Smallest positive normal number.
+    const MIN_POSITIVE: Self;
+    /// Largest finite number.
+    const MAX: Self;
+    /// True for f32, whose quadratures need fewer nodes.
+    const SINGLE: bool;
+    /// $10^9$, the largest alpha, deviation, slope and variance that constructors accept, in both
+    /// precisions: fourth powers of it are still f32.
+    const LARGEST: Self;
+
+    /// The literal `x`, rounded to this precision.
+    fn lit(x: f64) -> Self;
+    /// This number as f64 (exact).
+    fn to_f64(self) -> f64;
+    /// Square root, correctly rounded.
+    fn sqrt(self) -> Self;
+    /// Absolute value.
+    fn abs(self) -> Self;
+    /// The smaller of two numbers, `other` if `self` is NaN: one instruction, unlike `f32::min`.
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+    /// The larger of two numbers, `other` if `self` is NaN.
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+    /// True unless infinite or NaN.
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        self.abs() <= Self::MAX
+    }
+    /// True in $[0, 10^9]$: the range of alphas, deviations and variances.
+    #[inline(always)]
+    fn is_magnitude(self) -> bool {
+        self >= Self::ZERO && self <= Self::LARGEST
+    }
+    /// True in $[-10^9, 10^9]$: the range of slopes.
+    #[inline(always)]
+    fn is_slope(self) -> bool {
+        self.abs() <= Self::LARGEST
+    }
+    /// Sine and cosine (for constructors: computed in f64, then rounded).
+    fn sin_cos(self) -> (Self, Self);
+    /// $e^x$; 0 below the normal range, infinity above the largest number.
+    fn exp(self) -> Self;
+    /// Arctangent in $(-\pi/2, \pi/2)$.
+    fn atan(self) -> Self;
+    /// Angle of the point (`x`, `self`) in $(-\pi, \pi]$; 0 at the origin.
+    fn atan2(self, x: Self) -> Self;
+    /// Complementary error function $2/\sqrt\pi \int_x^\infty e^{-t^2} dt$.
+    fn erfc(self) -> Self;
+    /// Scaled complementary error function $e^{x^2} \mathrm{erfc}(x)$, for $x \ge 0$.
+    fn erfcx(self) -> Self;
+    /// Scaled first integral of erfc, $1/\sqrt\pi - x\,\mathrm{erfcx}(x)$, for $x \ge 0$, without
+    /// the cancellation of that difference.
+    fn ierfcx(self) -> Self;
+    /// $\arctan x - x/(1 + x^2)$ on \[0, 1\], without the cancellation of that difference.
+    #[doc(hidden)]
+    fn atan_excess(self) -> Self;
+    /// The upper half of the significand, the lower half set to zero; what is left, `self - upper`,
+    /// is exact, and products of upper halves are exact.
+    #[doc(hidden)]
+    fn upper_half(self) -> Self;
+}
+
+macro_rules! impl_real {
+    ($t:ident, $single:literal, $mask:literal, $sqrt:ident, $exp:ident, $atan:ident, $atan2:ident,
+     $atan_excess:ident, $erfc:ident, $erfcx:ident, $ierfcx:ident) => {
+        impl Real for $t {
+            const ZERO: Self = 0.0;
+            const HALF: Self = 0.5;
+            const ONE: Self = 1.0;
+            const TWO: Self = 2.0;
+            const PI: Self = core::$t::consts::PI;
+            const EPSILON: Self = $t::EPSILON;
+            const MIN_POSITIVE: Self = $t::MIN_POSITIVE;
+            const MAX: Self = $t::MAX;
+            const SINGLE: bool = $single;
+            const LARGEST: Self = 1e9;
+
+            #[inline(always)]
+            fn lit(x: f64) -> Self {
+                x as $t
+            }
+            #[inline(always)]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                math::$sqrt(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $t::abs(self)
+            }
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                let (sin, cos) = math::sin_cos(self.to_f64());
+                (sin as $t, cos as $t)
+            }
+            #[inline(always)]
+            fn exp(self) -> Self {
+                exp::$exp(self)
+            }
+            #[inline(always)]
+            fn atan(self) -> Self {
+                atan::$atan(self)
+            }
+            #[inline(always)]
+            fn atan2(self, x: Self) -> Self {
+                atan::$atan2(self, x)
+            }
+            #[inline(always)]
+            fn atan_excess(self) -> Self {
+                atan::$atan_excess(self)
+            }
+            #[inline(always)]
+            fn erfc(self) -> Self {
+                erfc::$erfc(self)
+            }
+            #[inline(always)]
+            fn erfcx(self) -> Self {
+                erfc::$erfcx(self)
+            }
+            #[inline(always)]
+            fn ierfcx(self) -> Self {
+                erfc::$ierfcx(self)
+            }
+            #[inline(always)]
+            fn upper_half(self) -> Self {
+                $t::from_bits(self.to_bits() & $mask)
+            }
+        }
+    };
+}
+
+impl_real!(
+    f32,
+    true,
+    0xFFFF_F000,
+    sqrt_f32,
+    exp_f32,
+    atan_f32,
+    atan2_f32,
+    atan_excess_f32,
+    erfc_f32,
+    erfcx_f32,
+    ierfcx_f32
+);
+impl_real!(
+    f64,
+    false,
+    0xFFFF_FFFF_F800_0000,
+    sqrt_f64,
+    exp_f64,
+    atan_f64,
+    atan2_f64,
+    atan_excess_f64,
+    erfc_f64,
+    erfcx_f64,
+    ierfcx_f64
+);

@@ -1,0 +1,154 @@
+//! The pixel's footprint on the slope plane: two derivative vectors and the parallelogram they span.
+//!
+//! Floor 1. A footprint is a fact about the pixel; which filter is laid over it is a kernel's choice.
+
+use super::direction::slope_of;
+use super::jacobian::{Matrix, apply, disk_to_slope};
+use crate::error::Error;
+use crate::scalar::Real;
+use crate::scalar::exact::cross;
+
+/// How the half vector's slope changes over one pixel to the right (`u`) and one up (`v`).
+///
+/// The parallelogram is centre +- u/2 +- v/2. Signs and order do not matter to any filter, and a
+/// slope of either sign convention gives the same footprint. No constructor clamps.
+///
+/// ```
+/// use lobe::Footprint;
+/// let footprint = Footprint::from_slopes([0.02_f32, 0.0], [0.01, 0.03]);
+/// assert_eq!(footprint.extents(), [0.03, 0.03]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Footprint<R> {
+    /// Derivative along the screen's first axis, slope per pixel.
+    pub u: [R; 2],
+    /// Derivative along the screen's second axis, slope per pixel.
+    pub v: [R; 2],
+}
+
+impl<R: Real> Footprint<R> {
+    /// From two derivative vectors in slope space (Kaplanyan et al. 2016, section 4.2).
+    #[inline]
+    pub fn from_slopes(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Self {
+        Self { u: u.into(), v: v.into() }
+    }
+
+    /// A rectangle along the axes, of these full widths.
+    #[inline]
+    pub fn rectangle(widths: impl Into<[R; 2]>) -> Self {
+        let [x, y] = widths.into();
+        Self { u: [x, R::ZERO], v: [R::ZERO, y] }
+    }
+
+    /// From derivatives of $(h_x, h_y)$ of the unit half vector `h`, carried to slope space.
+    ///
+    /// The true change of variables, by Tokuyoshi 2017 Eq. 25: it grows like $1/h_z^3$ towards the
+    /// horizon. Heights below $10^{-9}$ count as $10^{-9}$: slopes end there.
+    ///
+    /// ```
+    /// use lobe::Footprint;
+    /// let footprint = Footprint::from_disk([0.0_f32, 0.0, 1.0], [0.01, 0.0], [0.0, 0.01]);
+    /// assert_eq!(footprint.extents(), [0.01, 0.01]);
+    /// ```
+    pub fn from_disk(h: impl Into<[R; 3]>, u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Self {
+        let [x, y, z] = h.into();
+        let jacobian = disk_to_slope([x, y, z.max(R::ONE / R::LARGEST)]);
+        Self { u: apply(jacobian, u), v: apply(jacobian, v) }
+    }
+
+    /// From derivatives of $(h_x, h_y)$ used in slope space as they are.
+    ///
+    /// Not a change of variables but a deliberate narrowing at grazing half vectors, where quad
+    /// differences are noise. Source: Tokuyoshi 2017, Eq. 7.
+    pub fn from_disk_narrowed(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Self {
+        Self::from_slopes(u, v)
+    }
+
+    /// From the half vectors of this pixel and of its neighbours to the right and above, by
+    /// differences of their slopes, as a GPU's quad has them.
+    ///
+    /// All three in the frame of the same surface point, or each in its own shading frame (the frame's
+    /// rotation is then part of the footprint, as in Kaplanyan Eq. 6). Need not have unit length.
+    ///
+    /// # Errors
+    /// [`Error::HalfVector`] if one of them is not finite or does not point above the surface.
+    ///
+    /// ```
+    /// use lobe::Footprint;
+    /// let h = [0.0_f64, 0.0, 1.0];
+    /// let f = Footprint::from_half_vectors(h, [0.1, 0.0, 1.0], [0.0, 0.2, 1.0])?;
+    /// assert_eq!(f.extents(), [0.1, 0.2]);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    #[inline]
+    pub fn from_half_vectors(
+        h: impl Into<[R; 3]>,
+        right: impl Into<[R; 3]>,
+        up: impl Into<[R; 3]>,
+    ) -> Result<Self, Error> {
+        let [here, right, up] = [h.into(), right.into(), up.into()]
+            .map(|h| (h[2] > R::ZERO && h.iter().all(|x| x.is_finite())).then(|| slope_of(h)));
+        match (here, right, up) {
+            (Some(s), Some(r), Some(t)) => {
+                let footprint =
+                    Self { u: [r[0] - s[0], r[1] - s[1]], v: [t[0] - s[0], t[1] - s[1]] };
+                let finite = footprint.u.iter().chain(&footprint.v).all(|x| x.is_finite());
+                if finite { Ok(footprint) } else { Err(Error::HalfVector) }
+            }
+            _ => Err(Error::HalfVector),
+        }
+    }
+
+    /// From steps of the surface point in its tangent plane, one per pixel axis, and the matrix M of
+    /// [`Path::slope_jacobian`](super::Path::slope_jacobian) (Kaplanyan et al. 2016, Eq. 5).
+    pub fn from_positions(
+        slope_jacobian: Matrix<R>,
+        u: impl Into<[R; 2]>,
+        v: impl Into<[R; 2]>,
+    ) -> Self {
+        Self { u: apply(slope_jacobian, u), v: apply(slope_jacobian, v) }
+    }
+
+    /// Full widths of the bounding rectangle along the slope axes, $|u| + |v|$ per axis.
+    ///
+    /// Source: Kaplanyan et al. 2016, section 5.3.
+    pub fn extents(&self) -> [R; 2] {
+        [self.u[0].abs() + self.v[0].abs(), self.u[1].abs() + self.v[1].abs()]
+    }
+
+    /// The bounding rectangle as a footprint: wider than the parallelogram, and stable.
+    #[must_use]
+    pub fn bounding(&self) -> Self {
+        Self::rectangle(self.extents())
+    }
+
+    /// Length of the longer diagonal.
+    pub fn diameter(&self) -> R {
+        let length = |x: R, y: R| {
+            let scale = x.abs().max(y.abs()).max(R::MIN_POSITIVE);
+            scale * ((x / scale) * (x / scale) + (y / scale) * (y / scale)).sqrt()
+        };
+        let sum = length(self.u[0] + self.v[0], self.u[1] + self.v[1]);
+        sum.max(length(self.u[0] - self.v[0], self.u[1] - self.v[1]))
+    }
+
+    /// The footprint shrunk, in proportion, to a diameter of at most `limit` slope units. A negative limit
+    /// counts as 0.
+    ///
+    /// Kaplanyan et al. 2016, section 5.2, limit the extents to lambda = 1. Theirs are measured along
+    /// the frame's axes; the diameter does not depend on the frame.
+    #[must_use]
+    pub fn rescaled(&self, limit: R) -> Self {
+        let (diameter, limit) = (self.diameter(), limit.max(R::ZERO));
+        if diameter <= limit {
+            return *self;
+        }
+        let factor = limit / diameter;
+        Self { u: self.u.map(|x| x * factor), v: self.v.map(|x| x * factor) }
+    }
+
+    /// Area of the parallelogram, in squared slope units.
+    pub fn area(&self) -> R {
+        cross(self.u, self.v).abs()
+    }
+}

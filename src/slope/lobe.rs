@@ -1,0 +1,71 @@
+//! The one door between where variance comes from and what is done with it.
+//!
+//! Floor 1. Upstream (footprints, normal maps, displacement) everything ends in a mean slope and a
+//! roughness; downstream (distributions, masking, shading) nothing else is asked for.
+
+use super::roughness::Roughness;
+use super::shape::Full;
+use super::tilted::Tilted;
+use crate::error::Error;
+use crate::scalar::Real;
+
+/// A mean slope and a roughness.
+///
+/// ```
+/// use lobe::{Beckmann, Lobe, Roughness};
+/// let lobe = Lobe::new([0.1_f32, 0.0], Roughness::from_alpha(0.2)?)?;
+/// let ndf = Beckmann::new(lobe.shape());
+/// assert!(ndf.slope_pdf([0.1, 0.0]) > ndf.slope_pdf([0.0, 0.0]));
+/// # Ok::<(), lobe::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Lobe<R> {
+    mean: [R; 2],
+    roughness: Roughness<R>,
+}
+
+impl<R: Real> Lobe<R> {
+    /// A lobe around `mean`, a slope.
+    ///
+    /// # Errors
+    /// [`Error::Mean`] unless both components lie in $[-10^9, 10^9]$.
+    pub fn new(mean: impl Into<[R; 2]>, roughness: Roughness<R>) -> Result<Self, Error> {
+        let mean = mean.into();
+        if mean[0].is_slope() && mean[1].is_slope() {
+            Ok(Self { mean, roughness })
+        } else {
+            Err(Error::Mean)
+        }
+    }
+
+    /// A lobe around the normal.
+    pub fn centred(roughness: Roughness<R>) -> Self {
+        Self { mean: [R::ZERO; 2], roughness }
+    }
+
+    /// The mean slope.
+    pub fn mean(&self) -> [R; 2] {
+        self.mean
+    }
+
+    /// The roughness.
+    pub fn roughness(&self) -> Roughness<R> {
+        self.roughness
+    }
+
+    /// The same mean with another roughness.
+    #[must_use]
+    pub fn with_roughness(&self, roughness: Roughness<R>) -> Self {
+        Self { roughness, ..*self }
+    }
+
+    /// The same roughness around a mean that is known to be valid.
+    pub(crate) fn with_mean(self, mean: [R; 2]) -> Self {
+        Self { mean, ..self }
+    }
+
+    /// The shape that distributions take: any A, any mean.
+    pub fn shape(&self) -> Tilted<Full<R>> {
+        Tilted::unchecked(Full::new(self.roughness), self.mean)
+    }
+}

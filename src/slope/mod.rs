@@ -1,0 +1,19 @@
+//! What the words mean: directions, slopes, roughness, shapes, footprints, moments, lobes.
+
+pub mod direction;
+mod footprint;
+pub mod jacobian;
+mod lobe;
+mod moments;
+mod path;
+mod roughness;
+mod shape;
+mod tilted;
+
+pub use footprint::Footprint;
+pub use lobe::Lobe;
+pub use moments::SlopeMoments;
+pub use path::{Path, Vertex};
+pub use roughness::{Alphas, Roughness};
+pub use shape::{AxisAligned, Full, Isotropic, Shape};
+pub use tilted::Tilted;

@@ -1,0 +1,122 @@
+//! Mean and covariance of a patch of slopes: what a normal map leaves behind when it is minified.
+//!
+//! Floor 1. Raw moments filter linearly and cancel; the merge of means and covariances does neither.
+
+use super::lobe::Lobe;
+use super::roughness::Roughness;
+use crate::error::Error;
+use crate::scalar::{Psd, Real};
+
+/// Mean and covariance of slopes.
+///
+/// ```
+/// use lobe::{Roughness, SlopeMoments};
+/// let left = SlopeMoments::of_slope([0.1_f64, 0.0])?;
+/// let right = SlopeMoments::of_slope([-0.1_f64, 0.0])?;
+/// let both = left.merged(1.0, &right, 1.0)?;
+/// assert_eq!(both.mean(), [0.0, 0.0]);
+/// assert!((both.covariance().entries()[0] - 0.01).abs() < 1e-15);
+/// let lobe = both.lobe(Roughness::from_alpha(0.05)?);
+/// assert!((lobe.roughness().alphas().x - (0.0025_f64 + 0.02).sqrt()).abs() < 1e-15);
+/// # Ok::<(), lobe::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SlopeMoments<R> {
+    mean: [R; 2],
+    covariance: Psd<R>,
+}
+
+impl<R: Real> SlopeMoments<R> {
+    /// A mean and a covariance.
+    ///
+    /// # Errors
+    /// [`Error::Mean`] unless both components lie in $[-10^9, 10^9]$.
+    pub fn new(mean: impl Into<[R; 2]>, covariance: Psd<R>) -> Result<Self, Error> {
+        let mean = mean.into();
+        if mean[0].is_slope() && mean[1].is_slope() {
+            Ok(Self { mean, covariance })
+        } else {
+            Err(Error::Mean)
+        }
+    }
+
+    /// One slope: no spread.
+    ///
+    /// # Errors
+    /// [`Error::Mean`], as [`SlopeMoments::new`].
+    pub fn of_slope(slope: impl Into<[R; 2]>) -> Result<Self, Error> {
+        Self::new(slope, Psd::zero())
+    }
+
+    /// From raw moments $\mathrm{E}\,s$ and $\mathrm{E}\,s s^T$ (`[xx, xy, yy]`), as LEAN textures store them.
+    ///
+    /// $\Sigma = \mathrm{E}\,s s^T - (\mathrm{E}\,s)(\mathrm{E}\,s)^T$ by compensated products: what precision the moments have
+    /// left after storage is kept. Storage rounding can make $\Sigma$ indefinite: its negative
+    /// eigenvalues are then set to 0, the nearest covariance there is.
+    ///
+    /// Source: Olano & Baker 2010, Eq. 5.
+    ///
+    /// # Errors
+    /// [`Error::Mean`], [`Error::MatrixEntry`].
+    ///
+    /// ```
+    /// let m = lobe::SlopeMoments::from_raw([0.5_f32, 0.0], [0.26, 0.0, 0.04])?;
+    /// assert!((m.covariance().entries()[0] - 0.01).abs() < 1e-7);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    pub fn from_raw(mean: impl Into<[R; 2]>, second: [R; 3]) -> Result<Self, Error> {
+        let [x, y] = mean.into();
+        if !second.iter().all(|m| m.abs() <= R::LARGEST * R::LARGEST) {
+            return Err(Error::MatrixEntry);
+        }
+        let centre = Self::of_slope([x, y])?;
+        let central =
+            |raw: R, a: R, b: R| crate::scalar::exact::difference_of_products(raw, R::ONE, a, b);
+        let covariance = Psd::nearest(
+            central(second[0], x, x),
+            central(second[1], x, y),
+            central(second[2], y, y),
+        );
+        Ok(Self { covariance, ..centre })
+    }
+
+    /// The mean slope.
+    pub fn mean(&self) -> [R; 2] {
+        self.mean
+    }
+
+    /// The covariance of the slopes.
+    pub fn covariance(&self) -> Psd<R> {
+        self.covariance
+    }
+
+    /// The moments of two patches together, by area.
+    ///
+    /// The parallel-axis theorem: mean of the covariances plus covariance of the means, all terms
+    /// positive semi-definite, nothing cancels.
+    ///
+    /// # Errors
+    /// [`Error::Weight`] if a weight is negative or not finite, or both are 0.
+    pub fn merged(&self, weight: R, other: &Self, other_weight: R) -> Result<Self, Error> {
+        let sum = weight + other_weight;
+        if !(weight >= R::ZERO && other_weight >= R::ZERO && sum > R::ZERO && sum.is_finite()) {
+            return Err(Error::Weight);
+        }
+        let (p, q) = (weight / sum, other_weight / sum);
+        let d = [other.mean[0] - self.mean[0], other.mean[1] - self.mean[1]];
+        let spread = (p * q).sqrt();
+        let between = Psd::outer_sum(d.map(|x| x * spread), [R::ZERO; 2]);
+        Ok(Self {
+            mean: [self.mean[0] + q * d[0], self.mean[1] + q * d[1]],
+            covariance: self.covariance.scaled(p).plus(&other.covariance.scaled(q)).plus(&between),
+        })
+    }
+
+    /// The lobe of this patch over a base material: mean slope, $A = A_{base} + 2\Sigma$.
+    ///
+    /// Exact for Beckmann (LEAN); for GGX the variance is added as if it were one.
+    pub fn lobe(&self, base: Roughness<R>) -> Lobe<R> {
+        let roughness = base.plus(&Roughness::from_covariance(self.covariance));
+        Lobe::centred(roughness).with_mean(self.mean)
+    }
+}

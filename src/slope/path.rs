@@ -1,0 +1,129 @@
+//! The half vector's slope along the surface: Kaplanyan's matrix M.
+//!
+//! Floor 1. For renderers that know positions, distances and curvature: ray tracers, meshlets,
+//! compute passes. Rasterisers difference neighbouring pixels instead ([`Footprint`](super::Footprint)).
+
+use super::direction::dot;
+use super::jacobian::Matrix;
+use crate::error::Error;
+use crate::scalar::Real;
+
+/// One end of a light path seen from the shaded point: a direction and one over the distance.
+///
+/// ```
+/// use lobe::Vertex;
+/// let lamp = Vertex::at([0.0_f64, 0.0, 2.0])?;
+/// assert_eq!(lamp, Vertex { direction: [0.0, 0.0, 1.0], inverse_distance: 0.5 });
+/// let sun = Vertex::distant([0.0_f64, 0.0, 1.0])?;
+/// assert_eq!(sun.inverse_distance, 0.0);
+/// # Ok::<(), lobe::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vertex<R> {
+    /// Unit vector from the shaded point, tangent frame.
+    pub direction: [R; 3],
+    /// One over the distance; 0 for a distant light or camera.
+    pub inverse_distance: R,
+}
+
+impl<R: Real> Vertex<R> {
+    /// A vertex at `position`, relative to the shaded point, in the tangent frame.
+    ///
+    /// # Errors
+    /// [`Error::Direction`] if the position is not finite, or so near that one over its distance is not.
+    pub fn at(position: impl Into<[R; 3]>) -> Result<Self, Error> {
+        let position = position.into();
+        // Scaled by the largest component: squares of far positions overflow f32.
+        let scale = position.iter().fold(R::ZERO, |m, x| m.max(x.abs()));
+        if !(scale > R::ZERO && position.iter().all(|x| x.is_finite())) {
+            return Err(Error::Direction);
+        }
+        let unit = position.map(|x| x / scale);
+        let length = dot(unit, unit).sqrt();
+        let inverse_distance = R::ONE / length / scale;
+        if !inverse_distance.is_finite() {
+            return Err(Error::Direction);
+        }
+        Ok(Self { direction: unit.map(|x| x / length), inverse_distance })
+    }
+
+    /// A vertex infinitely far away in `direction`, which need not have unit length.
+    ///
+    /// # Errors
+    /// [`Error::Direction`] if the direction is zero or not finite.
+    pub fn distant(direction: impl Into<[R; 3]>) -> Result<Self, Error> {
+        Ok(Self { inverse_distance: R::ZERO, ..Self::at(direction)? })
+    }
+
+    /// $-(I - w w^T) v / r$: how the unit direction turns when the shaded point moves by `v`.
+    fn turn(&self, v: [R; 3]) -> [R; 3] {
+        let w = self.direction;
+        let along = dot(w, v);
+        [0, 1, 2].map(|k| (w[k] * along - v[k]) * self.inverse_distance)
+    }
+}
+
+/// A surface point between viewer and light, with the surface's curvature.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Path<R> {
+    /// The viewer.
+    pub eye: Vertex<R>,
+    /// The light.
+    pub light: Vertex<R>,
+    /// Shape operator `[b_11, b_12, b_22]`: a step `dx` in the tangent plane turns the normal by
+    /// `dn = B dx`. Positive for convex surfaces: a sphere of radius r has B = I/r. Unit: 1/length.
+    pub curvature: [R; 3],
+}
+
+impl<R: Real> Path<R> {
+    /// Kaplanyan's plane point of the half vector, $p = (g_x, g_y)/g_z$ with $g = w_i + w_o$; the
+    /// slope is its negative.
+    ///
+    /// Zero for a vertex pair whose sum does not point above the surface.
+    pub fn plane_point(&self) -> [R; 2] {
+        let g = self.sum();
+        if g[2] > R::ZERO { [g[0] / g[2], g[1] / g[2]] } else { [R::ZERO; 2] }
+    }
+
+    fn sum(&self) -> [R; 3] {
+        let (wo, wi) = (self.eye.direction, self.light.direction);
+        [wo[0] + wi[0], wo[1] + wi[1], wo[2] + wi[2]]
+    }
+
+    /// The derivative of the plane point by the surface point.
+    ///
+    /// With $N = g_z$, unit tangent $v$ and $k \in \{s, t\}$:
+    /// $dp_k = dg_k/N - (B v)_k - p_k (dg_z/N + p \cdot B v)$,
+    /// $dg = -[(I - w_i w_i^T)/r_i + (I - w_o w_o^T)/r_o]\, v$.
+    /// Columns are `v = s` and `v = t`; unit 1/length. A distant vertex drops its term.
+    /// Returns zeros if $g$ does not point above the surface. The slope's Jacobian is $-M$; as every
+    /// kernel and polygon is even in its derivatives, both signs give the same filter.
+    ///
+    /// Source: Kaplanyan et al. 2016, Eq. 4 and 6, derived in full (the paper refers to Jakob 2013).
+    ///
+    /// ```
+    /// use lobe::{Path, Vertex};
+    /// // A mirror ball of radius 2 under a distant sun, seen from far above: dp = -dx/2.
+    /// let above = Vertex::distant([0.0_f64, 0.0, 1.0])?;
+    /// let path = Path { eye: above, light: above, curvature: [0.5, 0.0, 0.5] };
+    /// assert_eq!(path.slope_jacobian(), [[-0.5, 0.0], [0.0, -0.5]]);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    pub fn slope_jacobian(&self) -> Matrix<R> {
+        let g = self.sum();
+        if !(g[2] > R::ZERO) {
+            return [[R::ZERO; 2]; 2];
+        }
+        let p = self.plane_point();
+        let [b11, b12, b22] = self.curvature;
+        let column = |v: [R; 3], bv: [R; 2]| {
+            let (eye, light) = (self.eye.turn(v), self.light.turn(v));
+            let dg = [0, 1, 2].map(|k| (eye[k] + light[k]) / g[2]);
+            let common = dg[2] + p[0] * bv[0] + p[1] * bv[1];
+            [0, 1].map(|k| dg[k] - bv[k] - p[k] * common)
+        };
+        let along_s = column([R::ONE, R::ZERO, R::ZERO], [b11, b12]);
+        let along_t = column([R::ZERO, R::ONE, R::ZERO], [b12, b22]);
+        [[along_s[0], along_t[0]], [along_s[1], along_t[1]]]
+    }
+}

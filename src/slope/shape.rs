@@ -1,0 +1,264 @@
+//! Shapes: what a distribution needs to know of roughness and mean, at the price of what a scene has.
+//!
+//! Floor 1. Whatever its anisotropy and tilt, a lobe meets its distribution in four numbers: the root
+//! of the determinant, the form n(m), the squared stretch a^2(w) and the mean projected area c(w).
+//! `Isotropic` answers with three multiplications, `Full` with compensated products; the compiler
+//! keeps only what the shape in use needs.
+
+use super::roughness::Roughness;
+use crate::error::Error;
+use crate::scalar::Real;
+use crate::scalar::exact::{difference_of_products, sum_of_products};
+
+/// The questions that a distribution and its filters ask.
+///
+/// Directions are in the tangent frame and need not have unit length: every answer is homogeneous.
+pub trait Shape: Copy {
+    /// The precision.
+    type Scalar: Real;
+
+    /// True if the mean is 0 for every value of this shape.
+    const CENTRED: bool;
+
+    /// $\sqrt{\det A}$; 0 for a mirror along some axis.
+    fn root_det(&self) -> Self::Scalar;
+
+    /// $n(m) = \sqrt{\det A}\; v^T A^{-1} v$ with $v = m_{xy} + \mu m_z$, for the direction
+    /// `m + m_low`, an unevaluated sum whose second part is of the order of rounding.
+    ///
+    /// With $s$ the slope of $m$ and $q = (s - \mu)^T A^{-1} (s - \mu)$: $n = \sqrt{\det A}\, q\,
+    /// m_z^2$. Free of divisions by $m_z$, hence valid up to the horizon.
+    fn form(&self, m: [Self::Scalar; 3], m_low: [Self::Scalar; 3]) -> Self::Scalar;
+
+    /// The slope relative to the mean, $s - \mu$, as an unevaluated sum, high and low.
+    fn offset(&self, slope: [Self::Scalar; 2]) -> ([Self::Scalar; 2], [Self::Scalar; 2]);
+
+    /// $L^{-1} v$ with $L L^T = A$, for the difference of slopes `v + v_low`: lengths in units of the
+    /// lobe. Not defined for a mirror.
+    fn whiten(&self, v: [Self::Scalar; 2], v_low: [Self::Scalar; 2]) -> [Self::Scalar; 2];
+
+    /// $a^2(w) = w_{xy}^T A\, w_{xy}$.
+    fn stretch_squared(&self, w: [Self::Scalar; 3]) -> Self::Scalar;
+
+    /// $c(w) = w_z - \mu \cdot w_{xy}$, the projected area of the mean plane.
+    fn mean_area(&self, w: [Self::Scalar; 3]) -> Self::Scalar;
+}
+
+/// $A = \alpha^2 I$, centred.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Isotropic<R> {
+    alpha: R,
+}
+
+impl<R: Real> Isotropic<R> {
+    /// alpha = 1: slopes in units of the lobe.
+    #[inline(always)]
+    pub(crate) fn unit() -> Self {
+        Self { alpha: R::ONE }
+    }
+
+    /// From alpha.
+    ///
+    /// # Errors
+    /// [`Error::Alpha`].
+    ///
+    /// ```
+    /// use lobe::{Ggx, Isotropic};
+    /// let ggx = Ggx::new(Isotropic::new(0.5_f32)?);
+    /// assert!((ggx.d([0.0, 0.0, 1.0]) - 4.0 / core::f32::consts::PI).abs() < 1e-6);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    #[inline]
+    pub fn new(alpha: R) -> Result<Self, Error> {
+        if alpha.is_magnitude() { Ok(Self { alpha }) } else { Err(Error::Alpha) }
+    }
+}
+
+impl<R: Real> Shape for Isotropic<R> {
+    type Scalar = R;
+    const CENTRED: bool = true;
+
+    #[inline(always)]
+    fn root_det(&self) -> R {
+        self.alpha * self.alpha
+    }
+    #[inline(always)]
+    fn form(&self, m: [R; 3], _: [R; 3]) -> R {
+        m[0] * m[0] + m[1] * m[1]
+    }
+    #[inline(always)]
+    fn offset(&self, slope: [R; 2]) -> ([R; 2], [R; 2]) {
+        (slope, [R::ZERO; 2])
+    }
+    #[inline(always)]
+    fn whiten(&self, v: [R; 2], _: [R; 2]) -> [R; 2] {
+        let inverse = R::ONE / self.alpha;
+        [v[0] * inverse, v[1] * inverse]
+    }
+    #[inline(always)]
+    fn stretch_squared(&self, w: [R; 3]) -> R {
+        self.root_det() * (w[0] * w[0] + w[1] * w[1])
+    }
+    #[inline(always)]
+    fn mean_area(&self, w: [R; 3]) -> R {
+        w[2]
+    }
+}
+
+/// $A = \mathrm{diag}(\alpha_x^2, \alpha_y^2)$, centred.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisAligned<R> {
+    alphas: [R; 2],
+    /// One over each, at most the largest number.
+    inverse: [R; 2],
+}
+
+impl<R: Real> AxisAligned<R> {
+    /// From alpha along x and along y.
+    ///
+    /// # Errors
+    /// [`Error::AlphaX`], [`Error::AlphaY`].
+    ///
+    /// ```
+    /// use lobe::{AxisAligned, Beckmann};
+    /// let brushed = Beckmann::new(AxisAligned::new(0.5_f32, 0.05)?);
+    /// assert!(brushed.slope_pdf([0.2, 0.0]) > brushed.slope_pdf([0.0, 0.2]));
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    #[inline]
+    pub fn new(alpha_x: R, alpha_y: R) -> Result<Self, Error> {
+        if !alpha_x.is_magnitude() {
+            return Err(Error::AlphaX);
+        }
+        if !alpha_y.is_magnitude() {
+            return Err(Error::AlphaY);
+        }
+        let inverse = [alpha_x, alpha_y].map(|alpha| R::ONE / alpha.max(R::MIN_POSITIVE));
+        Ok(Self { alphas: [alpha_x, alpha_y], inverse })
+    }
+}
+
+impl<R: Real> Shape for AxisAligned<R> {
+    type Scalar = R;
+    const CENTRED: bool = true;
+
+    #[inline(always)]
+    fn root_det(&self) -> R {
+        self.alphas[0] * self.alphas[1]
+    }
+    #[inline(always)]
+    fn form(&self, m: [R; 3], _: [R; 3]) -> R {
+        let (x, y) = (m[0] * self.inverse[0], m[1] * self.inverse[1]);
+        (x * x + y * y) * self.root_det()
+    }
+    #[inline(always)]
+    fn offset(&self, slope: [R; 2]) -> ([R; 2], [R; 2]) {
+        (slope, [R::ZERO; 2])
+    }
+    #[inline(always)]
+    fn whiten(&self, v: [R; 2], _: [R; 2]) -> [R; 2] {
+        [v[0] * self.inverse[0], v[1] * self.inverse[1]]
+    }
+    #[inline(always)]
+    fn stretch_squared(&self, w: [R; 3]) -> R {
+        let (x, y) = (self.alphas[0] * w[0], self.alphas[1] * w[1]);
+        x * x + y * y
+    }
+    #[inline(always)]
+    fn mean_area(&self, w: [R; 3]) -> R {
+        w[2]
+    }
+}
+
+/// Any A, centred.
+///
+/// The form is a sum of squares, $n = v_x^2 \sqrt{\det A}/a_{xx} + t^2 a_{xx}/\sqrt{\det A}$ with
+/// $t = v_y - v_x a_{xy}/a_{xx}$ from one compensated product: the textbook
+/// $a_{yy} v_x^2 - 2 a_{xy} v_x v_y + a_{xx} v_y^2$ loses four digits at rho = 0.9999.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Full<R> {
+    xx: R,
+    xy: R,
+    root_det: R,
+    inverse_xx: R,
+    along: R,
+    across: R,
+    /// det A / a_xx: what the stretch has left across the first row; a_yy where a_xx is 0.
+    schur: R,
+}
+
+impl<R: Real> Full<R> {
+    /// From a roughness; precomputes what evaluation needs.
+    ///
+    /// ```
+    /// use lobe::{Full, Ggx, Roughness};
+    /// let ggx = Ggx::new(Full::new(Roughness::from_alphas(0.5_f64, 0.05, 0.7)?));
+    /// assert!(ggx.slope_pdf([0.1, 0.1]) > 0.0);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    pub fn new(roughness: Roughness<R>) -> Self {
+        let matrix = roughness.matrix();
+        let [xx, xy, yy] = matrix.entries();
+        if matrix.is_singular() {
+            let inverse_xx = if xx < R::MIN_POSITIVE { R::ZERO } else { R::ONE / xx };
+            let schur = if xx < R::MIN_POSITIVE { yy } else { R::ZERO };
+            let zero = R::ZERO;
+            return Self { xx, xy, root_det: zero, inverse_xx, along: zero, across: zero, schur };
+        }
+        let root_det = matrix.root_det();
+        let along = root_det / xx;
+        Self {
+            xx,
+            xy,
+            root_det,
+            inverse_xx: R::ONE / xx,
+            along,
+            across: xx / root_det,
+            schur: root_det * along,
+        }
+    }
+}
+
+impl<R: Real> From<Roughness<R>> for Full<R> {
+    fn from(roughness: Roughness<R>) -> Self {
+        Self::new(roughness)
+    }
+}
+
+impl<R: Real> Shape for Full<R> {
+    type Scalar = R;
+    const CENTRED: bool = true;
+
+    #[inline(always)]
+    fn root_det(&self) -> R {
+        self.root_det
+    }
+    #[inline(always)]
+    fn form(&self, m: [R; 3], m_low: [R; 3]) -> R {
+        let low = self.xx * m_low[1] - self.xy * m_low[0];
+        let u = difference_of_products(self.xx, m[1], self.xy, m[0]) + low;
+        let t = u * self.inverse_xx;
+        m[0] * m[0] * self.along + t * t * self.across
+    }
+    #[inline(always)]
+    fn offset(&self, slope: [R; 2]) -> ([R; 2], [R; 2]) {
+        (slope, [R::ZERO; 2])
+    }
+    #[inline(always)]
+    fn whiten(&self, v: [R; 2], v_low: [R; 2]) -> [R; 2] {
+        let low = self.xx * v_low[1] - self.xy * v_low[0];
+        let u = difference_of_products(self.xx, v[1], self.xy, v[0]) + low;
+        let l11 = self.xx.sqrt();
+        [(v[0] + v_low[0]) / l11, u * self.inverse_xx * l11 / self.root_det]
+    }
+    #[inline(always)]
+    fn stretch_squared(&self, w: [R; 3]) -> R {
+        let u = sum_of_products(self.xx, w[0], self.xy, w[1]);
+        // In this order a column of float noise does not underflow.
+        u * (u * self.inverse_xx) + self.schur * w[1] * w[1]
+    }
+    #[inline(always)]
+    fn mean_area(&self, w: [R; 3]) -> R {
+        w[2]
+    }
+}
