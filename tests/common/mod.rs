@@ -1,0 +1,70 @@
+//! What the law tests share: inputs, quadrature, independent references, and a runner.
+#![allow(dead_code, reason = "each law file uses a part of it")]
+
+pub(crate) mod arbitrary;
+pub(crate) mod quadrature;
+pub(crate) mod reference;
+
+use arbitrary::Source;
+use core::fmt::Debug;
+use proptest::strategy::Strategy;
+use proptest::test_runner::{
+    Config, RngAlgorithm, RngSeed, TestCaseError, TestCaseResult, TestRunner,
+};
+
+/// One unit of rounding of f64 and of f32.
+pub(crate) const ULP: f64 = f64::EPSILON;
+pub(crate) const ULP_SINGLE: f64 = f32::EPSILON as f64;
+
+/// Runs a law on `cases` inputs, the same ones every time; a failure is shrunk towards plain inputs.
+#[track_caller]
+pub(crate) fn check(cases: u32, law: impl Fn(&mut Source) -> TestCaseResult) {
+    let config = Config {
+        cases,
+        rng_algorithm: RngAlgorithm::ChaCha,
+        rng_seed: RngSeed::Fixed(0x10be),
+        failure_persistence: None,
+        max_shrink_iters: 4096,
+        max_shrink_time: 20_000,
+        ..Config::default()
+    };
+    let words = proptest::collection::vec(proptest::num::u64::ANY, Source::WORDS)
+        .prop_map(|words| Source::from_words(&words));
+    // The words themselves say nothing: laws put their inputs into the message.
+    let outcome = TestRunner::new(config).run(&words, |mut source| law(&mut source));
+    if let Err(failure) = outcome {
+        let text = failure.to_string();
+        let end = text.find("minimal failing input").unwrap_or(text.len());
+        panic!("{}", &text[..end]);
+    }
+}
+
+/// The law holds, or fails with its inputs.
+pub(crate) fn ensure(holds: bool, what: &str, inputs: &dyn Debug) -> TestCaseResult {
+    if holds { Ok(()) } else { Err(TestCaseError::fail(format!("{what}, inputs {inputs:?}"))) }
+}
+
+/// `got` lies within `tolerance` of `want`; false for NaN.
+pub(crate) fn near(got: f64, want: f64, tolerance: f64, inputs: &dyn Debug) -> TestCaseResult {
+    let error = (got - want).abs();
+    if error <= tolerance {
+        return Ok(());
+    }
+    Err(TestCaseError::fail(format!(
+        "got {got:e}, want {want:e}: off by {error:e} (relative {:e}), allowed {tolerance:e}, inputs {inputs:?}",
+        error / want.abs()
+    )))
+}
+
+/// Entries of a matrix agree within `tolerance`.
+pub(crate) fn near_all(
+    got: &[f64],
+    want: &[f64],
+    tolerance: f64,
+    inputs: &dyn Debug,
+) -> TestCaseResult {
+    for (got, want) in got.iter().zip(want) {
+        near(*got, *want, tolerance, inputs)?;
+    }
+    Ok(())
+}

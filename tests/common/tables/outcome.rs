@@ -1,0 +1,74 @@
+//! How far results lie from the expected values: of one row, and of a table.
+
+use lobe::Real;
+
+/// How far one row lies from its expected values.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Deviation {
+    /// Relative error; `f64::MAX` if a result is not finite.
+    pub(crate) relative: f64,
+    /// Error in units of the last place of the largest expected value.
+    pub(crate) ulp: f64,
+    /// Whether a result is NaN, infinite, or negative where it cannot be.
+    pub(crate) bad: bool,
+}
+
+impl Deviation {
+    /// The largest difference of the row's results, over the largest expected one, which counts as
+    /// no less than the smallest normal number: below it there are no digits to compare.
+    pub(crate) fn of<R: Real>(got: &[R], expected: &[f64], signed: bool) -> Self {
+        assert_eq!(got.len(), expected.len(), "a result for every output column");
+        let scale = expected.iter().fold(R::MIN_POSITIVE.to_f64(), |scale, x| scale.max(x.abs()));
+        let mut difference = 0.0_f64;
+        let mut bad = false;
+        for (got, &expected) in got.iter().zip(expected) {
+            let got = got.to_f64();
+            bad |= !got.is_finite() || (got < 0.0 && !signed);
+            difference =
+                if got.is_finite() { difference.max((got - expected).abs()) } else { f64::MAX };
+        }
+        let ulp = (difference / unit_in_last_place::<R>(scale)).min(f64::MAX);
+        Self { relative: (difference / scale).min(f64::MAX), ulp, bad }
+    }
+}
+
+/// What one table says of one precision.
+#[derive(Clone, Debug)]
+pub(crate) struct Outcome {
+    /// Number of rows.
+    pub(crate) rows: usize,
+    /// Largest relative error; `f64::MAX` if a result is not finite.
+    pub(crate) max_rel: f64,
+    /// 99th percentile of the relative error.
+    pub(crate) p99_rel: f64,
+    /// Largest error in units of the last place of the expected value.
+    pub(crate) max_ulp: f64,
+    /// The row of the largest relative error, counted from 1 below the header.
+    pub(crate) worst_row: usize,
+    /// Rows with a NaN or infinite result, or a negative one of a quantity that cannot be negative.
+    pub(crate) bad: usize,
+}
+
+impl Outcome {
+    /// Over all rows of a table, in their order; `None` if there are none.
+    pub(crate) fn of(deviations: &[Deviation]) -> Option<Self> {
+        let mut errors: Vec<f64> = deviations.iter().map(|row| row.relative).collect();
+        let worst = (0..errors.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b]))?;
+        errors.sort_by(f64::total_cmp);
+        let rows = errors.len();
+        Some(Self {
+            rows,
+            max_rel: errors[rows - 1],
+            p99_rel: errors[(rows * 99).div_ceil(100) - 1],
+            max_ulp: deviations.iter().fold(0.0, |largest, row| row.ulp.max(largest)),
+            worst_row: worst + 1,
+            bad: deviations.iter().filter(|row| row.bad).count(),
+        })
+    }
+}
+
+/// The spacing of the numbers of `R` around `x > 0`.
+fn unit_in_last_place<R: Real>(x: f64) -> f64 {
+    let epsilon = R::EPSILON.to_f64();
+    2.0_f64.powf(x.log2().floor()) * epsilon
+}

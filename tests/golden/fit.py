@@ -1,0 +1,259 @@
+#!/usr/bin/env python3
+"""Fits the polynomials of src/scalar/{exp,atan,erfc}.rs and prints them as Rust literals.
+
+Usage: python3 fit.py [name ...]      (all fits when no name is given)
+
+Needs mpmath only. Each fit is a weighted Remez exchange on a fine Chebyshev
+grid; the coefficients are then rounded to the target format one by one, from
+the highest degree down, and the free ones are fitted again after each rounding.
+The printed error is that of the rounded polynomial in exact arithmetic.
+"""
+
+import sys
+
+from mpmath import mp, mpf
+
+mp.dps = 50
+
+SINGLE, DOUBLE = 24, 53  # significand bits of f32 and f64
+
+
+# --- references ------------------------------------------------------------
+
+
+def series(x, start):
+    """1 - (start) q + (start)(start+2) q^2 - ..., q = 1/(2 x^2): asymptotic, for x >= 60."""
+    q = 1 / (2 * x * x)
+    total, term, k = mpf(1), mpf(1), start
+    while abs(term) > mp.eps:
+        term *= -k * q
+        total += term
+        k += 2
+    return total
+
+
+def erfcx(x):
+    """exp(x^2) erfc(x), x >= 0."""
+    x = mpf(x)
+    if x >= 60:
+        return series(x, 1) / (x * mp.sqrt(mp.pi))
+    with mp.extradps(10):
+        return mp.exp(x * x) * mp.erfc(x)
+
+
+def ierfcx(x):
+    """1/sqrt(pi) - x erfcx(x), x >= 0, without cancellation."""
+    x = mpf(x)
+    if x >= 60:
+        return series(x, 3) / (2 * x * x * mp.sqrt(mp.pi))
+    with mp.extradps(15):
+        return 1 / mp.sqrt(mp.pi) - x * erfcx(x)
+
+
+# --- weighted minimax ------------------------------------------------------
+
+
+def rounded(c, bits):
+    with mp.workprec(bits):
+        return +c
+
+
+def horner(coefs, v):
+    total = mpf(0)
+    for c in reversed(coefs):
+        total = total * v + c
+    return total
+
+
+def alternation(errors, need):
+    """Indices of `need` extrema of alternating sign, the largest of them included."""
+    peaks = []
+    for j, e in enumerate(errors):
+        if peaks and (e > 0) == (errors[peaks[-1]] > 0):
+            if abs(e) > abs(errors[peaks[-1]]):
+                peaks[-1] = j
+        else:
+            peaks.append(j)
+    while len(peaks) > need:
+        size = [abs(errors[j]) for j in peaks]
+        if len(peaks) == need + 1:
+            peaks.pop(0 if size[0] < size[-1] else -1)
+        else:
+            pair = min(range(len(peaks) - 1), key=lambda i: size[i] + size[i + 1])
+            del peaks[pair : pair + 2]
+    return peaks
+
+
+class Fit:
+    """Minimises max |weight (f - p)| over [lo, hi], p a polynomial of the given degree."""
+
+    def __init__(self, f, weight, lo, hi, degree):
+        self.degree = degree
+        count = 40 * (degree + 2)
+        mid, half = (mpf(hi) + lo) / 2, (mpf(hi) - lo) / 2
+        # An even count keeps the midpoint, where a weight may vanish, off the grid.
+        self.v = [mid - half * mp.cos(mp.pi * i / (count - 1)) for i in range(count)]
+        self.f = [f(v) for v in self.v]
+        self.w = [weight(v) for v in self.v]
+
+    def errors(self, coefs):
+        return [w * (f - horner(coefs, v)) for v, f, w in zip(self.v, self.f, self.w)]
+
+    def remez(self, fixed=()):
+        """The best coefficients, the highest of them being `fixed`."""
+        free = self.degree + 1 - len(fixed)
+        base = [mpf(0)] * free + list(fixed)
+        need = free + 1
+        last = len(self.v) - 1
+        rest = self.errors(base)
+        points = [(2 * i + 1) * last // (2 * need) for i in range(need)]
+        best, kept = mp.inf, base
+        for _ in range(15):
+            rows = mp.matrix(need, need)
+            right = mp.matrix(need, 1)
+            for i, j in enumerate(points):
+                for k in range(free):
+                    rows[i, k] = self.w[j] * self.v[j] ** k
+                rows[i, free] = (-1) ** i
+                right[i] = rest[j]
+            solution = mp.lu_solve(rows, right)
+            coefs = [solution[k] for k in range(free)] + list(fixed)
+            level = abs(solution[free])
+            errors = self.errors(coefs)
+            worst = max(abs(e) for e in errors)
+            if worst < best:
+                best, kept = worst, coefs
+            points = alternation(errors, need)
+            if len(points) < need or best <= level * mpf("1.01"):
+                break
+        return kept
+
+    def run(self, bits):
+        """Rounded coefficients, their largest error and the abscissa where it is attained."""
+        fixed = []
+        for k in range(self.degree, -1, -1):
+            fixed.insert(0, rounded(self.remez(fixed)[k], bits))
+        errors = [abs(e) for e in self.errors(fixed)]
+        worst = max(errors)
+        return fixed, worst, self.v[errors.index(worst)]
+
+
+# --- printing --------------------------------------------------------------
+
+
+def literal(c, bits):
+    """The shortest decimal that reads back as c, digits grouped as clippy likes them."""
+    for digits in range(1, 18):
+        text = mp.nstr(c, digits, min_fixed=-3, max_fixed=3, strip_zeros=True)
+        if rounded(mpf(text), bits) == c:
+            break
+    mantissa, _, exponent = text.partition("e")
+    whole, _, part = mantissa.partition(".")
+    part = "_".join(part[i : i + 3] for i in range(0, len(part), 3)) or "0"
+    return f"{whole}.{part}" + (f"e{exponent}" if exponent else "")
+
+
+def report(name, fit, bits, where=lambda v: v):
+    coefs, worst, at = fit.run(bits)
+    kind = "f32" if bits == SINGLE else "f64"
+    print(f"// {name}: degree {fit.degree}, error {mp.nstr(worst, 3)} "
+          f"(2^{mp.nstr(mp.log(worst, 2), 4)}) at {mp.nstr(where(at), 4)}")
+    print(f"const {name.upper()}: [{kind}; {len(coefs)}] = [")
+    for c in coefs:
+        print(f"    {literal(c, bits)},")
+    print("];", flush=True)
+
+
+# --- the fits --------------------------------------------------------------
+
+
+def fit_exp(name, bits, degree):
+    """(exp(r) - 1 - r)/r^2 on |r| <= 0.3475 (just over ln(2)/2), error relative to exp(r)."""
+    def core(r):
+        with mp.extradps(20):
+            return (mp.expm1(r) - r) / (r * r)
+    half = mpf("0.3475")
+    fit = Fit(core, lambda r: r * r * mp.exp(-r), -half, half, degree)
+    report(name, fit, bits)
+
+
+def fit_atan(name, bits, degree):
+    """(atan(t)/t - 1)/s, s = t^2, on 0 <= s <= 1, error relative to atan(t)."""
+    def core(s):
+        t = mp.sqrt(s)
+        with mp.extradps(20):
+            return (mp.atan(t) / t - 1) / s if s else mpf(-1) / 3
+    def weight(s):
+        t = mp.sqrt(s)
+        return s * t / mp.atan(t) if s else mpf(0)
+    report(name, Fit(core, weight, 0, 1, degree), bits)
+
+
+def fit_atan_excess(name, bits, degree):
+    """(atan(x) - x/(1 + x^2))/x^3 in s = x^2, 0 <= s <= 1, relative."""
+    def core(s):
+        x = mp.sqrt(s)
+        with mp.extradps(40):
+            return (mp.atan(x) - x / (1 + s)) / (x * s) if s else mpf(2) / 3
+    report(name, Fit(core, lambda s: 1 / core(s), 0, 1, degree), bits)
+
+
+def fit_half_line(name, bits, degree, pole, reference, factor, limit):
+    """reference(x) factor(x) in u = t - 3/8, t = pole/(pole + x), 0 <= x <= infinity, relative.
+
+    The factor makes it nearly constant, so that the rounding of t hardly matters; centred at
+    3/8 the terms hardly cancel. At infinity the product is limit/sqrt(pi).
+    """
+    centre = mpf(3) / 8
+    def argument(u):
+        t = u + centre
+        return pole * (1 - t) / t if t else mp.inf
+    def core(u):
+        x = argument(u)
+        return reference(x) * factor(x) if x < 1e25 else limit / mp.sqrt(mp.pi)
+    fit = Fit(core, lambda u: 1 / core(u), -centre, 1 - centre, degree)
+    report(name, fit, bits, argument)
+
+
+def fit_erfcx(name, bits, degree, pole):
+    """erfcx(x) (1 + x)."""
+    fit_half_line(name, bits, degree, pole, erfcx, lambda x: 1 + x, mpf(1))
+
+
+def fit_ierfcx(name, bits, degree, pole):
+    """ierfcx(x) (1/2 + 7/8 x + x^2)."""
+    fit_half_line(name, bits, degree, pole, ierfcx, lambda x: x * (x + 0.875) + 0.5, mpf(1) / 2)
+
+
+def split(name, value, bits, head):
+    """value in two parts, the first rounded to `head` bits, the second to the format."""
+    first = rounded(value, head)
+    second = rounded(value - first, bits)
+    kind = "f32" if bits == SINGLE else "f64"
+    left = mp.nstr(abs(value - first - second), 3)
+    print(f"// {name}: {head} bits and the rest, which leaves {left}")
+    print(f"const {name.upper()}: [{kind}; 2] = [{literal(first, bits)}, {literal(second, bits)}];")
+
+
+FITS = {
+    "ln_two_f32": lambda n: split(n, mp.ln(2), SINGLE, 15),
+    "ln_two_f64": lambda n: split(n, mp.ln(2), DOUBLE, 32),
+    "half_pi_f32": lambda n: split(n, mp.pi / 2, SINGLE, SINGLE),
+    "half_pi_f64": lambda n: split(n, mp.pi / 2, DOUBLE, DOUBLE),
+    "pi_f32": lambda n: split(n, +mp.pi, SINGLE, SINGLE),
+    "pi_f64": lambda n: split(n, +mp.pi, DOUBLE, DOUBLE),
+    "exp_f32": lambda n: fit_exp(n, SINGLE, 4),
+    "exp_f64": lambda n: fit_exp(n, DOUBLE, 10),
+    "atan_f32": lambda n: fit_atan(n, SINGLE, 8),
+    "atan_f64": lambda n: fit_atan(n, DOUBLE, 20),
+    "atan_excess_f32": lambda n: fit_atan_excess(n, SINGLE, 10),
+    "atan_excess_f64": lambda n: fit_atan_excess(n, DOUBLE, 22),
+    "erfcx_f32": lambda n: fit_erfcx(n, SINGLE, 10, mpf(83) / 32),
+    "ierfcx_f32": lambda n: fit_ierfcx(n, SINGLE, 12, mpf(83) / 32),
+    "erfcx_f64": lambda n: fit_erfcx(n, DOUBLE, 24, 4),
+    "ierfcx_f64": lambda n: fit_ierfcx(n, DOUBLE, 26, 4),
+}
+
+if __name__ == "__main__":
+    for chosen in sys.argv[1:] or FITS:
+        FITS[chosen](chosen)
