@@ -1,0 +1,127 @@
+//! What is timed: each case is one pass over all samples, as a plain loop.
+//!
+//! Shapes are built beforehand where a case is named for its evaluation, as an engine's material or decoded
+//! G-buffer has them; `per_sample` cases build them inside.
+
+use super::hand_written;
+use super::samples::{COUNT, Regime, Sample, samples};
+use lobe::{
+    AxisAligned, Beckmann, Footprint, Full, Ggx, Isotropic, Kernel, Lobe, PixelFilter, Roughness,
+    Tilted, filter,
+};
+use std::hint::black_box;
+
+/// One pass over all samples.
+pub(crate) struct Case {
+    pub(crate) group: &'static str,
+    pub(crate) name: &'static str,
+    pub(crate) pass: Box<dyn FnMut()>,
+}
+
+/// A case from inputs and a function of one of them.
+#[inline(always)]
+fn case<T: 'static>(
+    group: &'static str,
+    name: &'static str,
+    inputs: Vec<T>,
+    f: impl Fn(&T) -> f32 + 'static,
+) -> Case {
+    assert_eq!(inputs.len(), COUNT);
+    let mut out = vec![0.0_f32; COUNT];
+    let pass = move || {
+        for (out, input) in out.iter_mut().zip(black_box(inputs.as_slice())) {
+            *out = f(input);
+        }
+        black_box(&out);
+    };
+    Case { group, name, pass: Box::new(pass) }
+}
+
+type Vector = [f32; 3];
+
+fn isotropic(s: &Sample) -> Isotropic<f32> {
+    Isotropic::new(s.alphas[0]).expect("a valid alpha")
+}
+
+fn axis_aligned(s: &Sample) -> AxisAligned<f32> {
+    AxisAligned::new(s.alphas[0], s.alphas[1]).expect("valid alphas")
+}
+
+fn full(s: &Sample) -> Full<f32> {
+    Full::new(Roughness::from_matrix(s.matrix))
+}
+
+/// D at the half vector, with visibility: the BRDF without Fresnel.
+fn shading() -> Vec<Case> {
+    const GROUP: &str = "shading";
+    let samples = samples(Regime::Mixed);
+    let with = |pick: fn(&Sample) -> f32| -> Vec<(f32, Vector, Vector)> {
+        samples.iter().map(|s| (pick(s), s.wo, s.wi)).collect()
+    };
+    let pairs: Vec<([f32; 2], Vector, Vector)> =
+        samples.iter().map(|s| (s.alphas, s.wo, s.wi)).collect();
+    let round: Vec<_> = samples.iter().map(|s| (isotropic(s), s.wo, s.wi)).collect();
+    let aligned: Vec<_> = samples.iter().map(|s| (axis_aligned(s), s.wo, s.wi)).collect();
+    let any: Vec<_> = samples.iter().map(|s| (full(s), s.wo, s.wi)).collect();
+    let tilted: Vec<_> = samples
+        .iter()
+        .map(|s| (Tilted::new(full(s), s.mean).expect("a valid mean"), s.wo, s.wi))
+        .collect();
+    let alpha = |s: &Sample| s.alphas[0];
+    vec![
+        case(GROUP, "isotropic_by_hand", with(alpha), |&(a, wo, wi)| {
+            hand_written::isotropic(a, wo, wi)
+        }),
+        case(GROUP, "isotropic", round.clone(), |&(shape, wo, wi)| Ggx::new(shape).brdf(wo, wi)),
+        case(GROUP, "isotropic_per_sample", with(alpha), |&(a, wo, wi)| {
+            Isotropic::new(a).map_or(f32::NAN, |shape| Ggx::new(shape).brdf(wo, wi))
+        }),
+        case(GROUP, "axis_aligned_by_hand", pairs, |&(a, wo, wi)| {
+            hand_written::axis_aligned(a, wo, wi)
+        }),
+        case(GROUP, "axis_aligned", aligned, |&(shape, wo, wi)| Ggx::new(shape).brdf(wo, wi)),
+        case(GROUP, "full", any, |&(shape, wo, wi)| Ggx::new(shape).brdf(wo, wi)),
+        case(GROUP, "tilted_full", tilted, |&(shape, wo, wi)| Ggx::new(shape).brdf(wo, wi)),
+        case(GROUP, "beckmann_isotropic", round, |&(shape, wo, wi)| {
+            Beckmann::new(shape).brdf(wo, wi)
+        }),
+        case(GROUP, "variance_addition", samples, |s| {
+            let Ok(roughness) = Roughness::from_alpha(s.alphas[0]) else { return f32::NAN };
+            let filtered = roughness.widened(&Kernel::of(&s.footprint, PixelFilter::BOX));
+            Ggx::new(Lobe::centred(filtered).shape()).brdf(s.wo, s.wi)
+        }),
+    ]
+}
+
+/// The mean of GGX over a footprint: the exact parallelogram against Appendix A's rectangle around it.
+fn footprints(regime: Regime) -> Vec<Case> {
+    let group = regime.name();
+    let samples = samples(regime);
+    let place = |s: &Sample| -> ([f32; 2], Footprint<f32>) { (s.slope, s.footprint) };
+    let round: Vec<_> = samples.iter().map(|s| (isotropic(s), place(s))).collect();
+    let aligned: Vec<_> = samples.iter().map(|s| (axis_aligned(s), place(s))).collect();
+    let any: Vec<_> = samples.iter().map(|s| (full(s), place(s))).collect();
+    vec![
+        case(group, "appendix_a", samples, |s| {
+            filter::kaplanyan_rectangle_mean(s.alphas, s.slope, s.footprint.extents())
+        }),
+        case(group, "isotropic", round, |&(shape, (slope, ref footprint))| {
+            Ggx::new(shape).parallelogram_mean(slope, footprint)
+        }),
+        case(group, "axis_aligned", aligned, |&(shape, (slope, ref footprint))| {
+            Ggx::new(shape).parallelogram_mean(slope, footprint)
+        }),
+        case(group, "full", any, |&(shape, (slope, ref footprint))| {
+            Ggx::new(shape).parallelogram_mean(slope, footprint)
+        }),
+    ]
+}
+
+/// Every case of the bench.
+pub(crate) fn all() -> Vec<Case> {
+    let mut cases = shading();
+    for regime in Regime::ALL {
+        cases.extend(footprints(regime));
+    }
+    cases
+}

@@ -1,0 +1,71 @@
+//! The table of ratios at the end of a run.
+
+use super::cases::Case;
+use super::samples::{COUNT, Regime};
+use std::time::Instant;
+
+/// A promise: `subject` takes no longer than `rival` in the same group.
+const PROMISES: [(&str, &str, &str); 3] = [
+    ("shading", "isotropic", "isotropic_by_hand"),
+    ("shading", "axis_aligned", "axis_aligned_by_hand"),
+    ("mixed", "axis_aligned", "appendix_a"),
+];
+
+/// What more roughness, or a check per sample, costs.
+const COSTS: [&str; 5] =
+    ["isotropic_per_sample", "full", "tilted_full", "beckmann_isotropic", "variance_addition"];
+
+/// Rounds of a comparison, and passes over all samples in each turn of a round.
+const ROUNDS: usize = 101;
+const PASSES: u32 = 4;
+
+/// Nanoseconds per sample of a few passes.
+fn turn(pass: &mut dyn FnMut()) -> f64 {
+    let start = Instant::now();
+    for _ in 0..PASSES {
+        pass();
+    }
+    start.elapsed().as_nanos() as f64 / f64::from(PASSES) / COUNT as f64
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+/// Median time of the subject and median ratio to the rival, turn by turn.
+fn compare(cases: &mut [Case], group: &str, subject: &str, rival: &str) -> (f64, f64) {
+    let mut time = |name: &str| {
+        let case = cases.iter_mut().find(|case| case.group == group && case.name == name);
+        turn(&mut case.unwrap_or_else(|| panic!("no case {group}/{name}")).pass)
+    };
+    let rounds: Vec<(f64, f64)> = (0..ROUNDS)
+        .map(|_| {
+            let (own, other) = (time(subject), time(rival));
+            (own, own / other)
+        })
+        .collect();
+    let (times, ratios): (Vec<f64>, Vec<f64>) = rounds.into_iter().unzip();
+    (median(times), median(ratios))
+}
+
+fn print_ratio(cases: &mut [Case], group: &str, subject: &str, rival: &str, mark: &str) {
+    let (time, ratio) = compare(cases, group, subject, rival);
+    println!("{group:8} {subject:22} {time:7.2} ns  {ratio:5.2} x {rival} {mark}");
+}
+
+/// Measures and prints every ratio.
+pub(crate) fn print(cases: &mut [Case]) {
+    println!("\nper sample, and as the median ratio of interleaved rounds (* promised: at most 1)");
+    for (group, subject, rival) in PROMISES {
+        print_ratio(cases, group, subject, rival, "*");
+    }
+    for subject in COSTS {
+        print_ratio(cases, "shading", subject, "isotropic", "");
+    }
+    for regime in Regime::ALL {
+        for subject in ["isotropic", "axis_aligned", "full"] {
+            print_ratio(cases, regime.name(), subject, "appendix_a", "");
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! The command line, and its mistakes in one line each.
+
+use std::fmt;
+use std::path::PathBuf;
+
+use clap::error::ErrorKind;
+use clap::{Parser, ValueEnum};
+
+use crate::study::Effort;
+
+/// A user's mistake: one line that names the parameter or file.
+#[derive(Debug)]
+pub(crate) struct Mistake(pub(crate) String);
+
+impl fmt::Display for Mistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+/// Error against run time of specular filters, as tables and as one HTML page.
+///
+/// Renders each scene with every method and with plain supersampling, compares with a converged
+/// reference, and times geometry and shading in the same run. Times compare within one run only.
+#[derive(Parser, Debug)]
+#[command(version, max_term_width = 100)]
+pub(crate) struct Options {
+    /// A smaller picture and fewer reference samples: under a minute on two cores.
+    #[arg(long)]
+    pub(crate) quick: bool,
+
+    /// Which scenes: waves at grazing view, a plane with normal maps, or both.
+    #[arg(long, value_enum, default_value_t = Scenes::All)]
+    pub(crate) scene: Scenes,
+
+    /// A tangent-space normal map (PNG, RGB or RGBA, 8 or 16 bits, +y up) to show on the plane
+    /// instead of the four that the program carries.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) normal_map: Option<PathBuf>,
+
+    /// Roughness of the material, isotropic, from 0.0001 to 1.
+    ///
+    /// Below about 0.001 the reference may need more samples than it takes; the report says so.
+    #[arg(long, value_name = "A", default_value_t = 0.01, value_parser = alpha,
+          allow_negative_numbers = true)]
+    pub(crate) alpha: f64,
+
+    /// Width of the pictures in pixels, 16 to 4096; the height follows (16:9).
+    ///
+    /// Surfaces keep their number of pixels per wave or texel: a larger picture shows more of them.
+    /// [default: 560, with --quick 240]
+    #[arg(long, value_name = "N", value_parser = width, allow_negative_numbers = true)]
+    pub(crate) size: Option<usize>,
+
+    /// Folder for index.html; made if it does not exist.
+    #[arg(long, value_name = "DIR", default_value = "target/report")]
+    pub(crate) out: PathBuf,
+}
+
+/// Which scenes to render.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Scenes {
+    /// Waves at grazing view.
+    Water,
+    /// A plane with normal maps.
+    Plane,
+    /// Both.
+    All,
+}
+
+impl Options {
+    /// From the program's arguments. Help and version are printed and give `None`.
+    pub(crate) fn parse_or_explain() -> Result<Option<Self>, Mistake> {
+        let options = match Self::try_parse() {
+            Ok(options) => options,
+            Err(error)
+                if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) =>
+            {
+                // A closed pipe is no reason to complain.
+                let _ = error.print();
+                return Ok(None);
+            }
+            Err(error) => return Err(Mistake(first_paragraph(&error.to_string()))),
+        };
+        if options.normal_map.is_some() && options.scene == Scenes::Water {
+            return Err(Mistake("--normal-map is of no use with '--scene water'".into()));
+        }
+        Ok(Some(options))
+    }
+
+    /// How much work the options ask for.
+    pub(crate) fn effort(&self) -> Effort {
+        let effort = if self.quick { Effort::QUICK } else { Effort::FULL };
+        Effort { width: self.size.unwrap_or(effort.width), ..effort }
+    }
+}
+
+/// What clap says up to its first blank line, as one line and without its `error:`.
+fn first_paragraph(message: &str) -> String {
+    let lines = message.lines().take_while(|line| !line.trim().is_empty()).map(str::trim);
+    let joined = lines.collect::<Vec<_>>().join(" ");
+    joined.strip_prefix("error: ").map_or(joined.clone(), Into::into)
+}
+
+fn alpha(text: &str) -> Result<f64, String> {
+    let refusal = "must be a number from 0.0001 to 1";
+    let alpha: f64 = text.parse().map_err(|_| refusal)?;
+    if (1e-4..=1.0).contains(&alpha) { Ok(alpha) } else { Err(refusal.into()) }
+}
+
+fn width(text: &str) -> Result<usize, String> {
+    let refusal = "must be a whole number from 16 to 4096";
+    let width: usize = text.parse().map_err(|_| refusal)?;
+    if (16..=4096).contains(&width) { Ok(width) } else { Err(refusal.into()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Options, first_paragraph};
+    use clap::{CommandFactory, Parser};
+
+    #[test]
+    fn the_command_line_is_well_formed() {
+        Options::command().debug_assert();
+    }
+
+    #[test]
+    fn numbers_out_of_range_are_refused_by_name() {
+        for bad in [
+            "--alpha=0",
+            "--alpha=-1",
+            "--alpha=nan",
+            "--alpha=inf",
+            "--alpha=x",
+            "--size=0",
+            "--size=-4",
+            "--size=99999999999999999999",
+            "--size=3.5",
+            "--scene=fire",
+        ] {
+            let error = Options::try_parse_from(["lobe-report", bad]).unwrap_err();
+            let line = first_paragraph(&error.to_string());
+            let name = bad.split('=').next().unwrap();
+            assert!(line.contains(name) && !line.contains('\n'), "{line}");
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! The report: one self-contained HTML page, and the same tables as text.
+
+mod picture;
+mod plot;
+mod section;
+mod table;
+
+use crate::method::{Distribution, Method};
+use crate::options::Options;
+use crate::study::{Effort, Panel, Row, Study};
+use crate::timing;
+use section::{equal_samples, equal_time};
+use table::{Line, Table, significant};
+
+pub(crate) use section::text;
+
+/// Everything the page shows.
+pub(crate) struct Report {
+    alpha: f64,
+    effort: Effort,
+    processor: String,
+    pub(crate) studies: Vec<Study>,
+}
+
+impl Report {
+    pub(crate) fn new(options: &Options, effort: Effort) -> Self {
+        Self { alpha: options.alpha, effort, processor: timing::processor(), studies: Vec::new() }
+    }
+
+    /// One line per scene and distribution: the best filter, its cost and what it saves.
+    pub(crate) fn summary_text(&self) -> String {
+        let rows = self.findings().map(|(study, panel, best)| Line {
+            cells: vec![
+                format!("{}, {}", study.name, panel.distribution.name()),
+                best.name.clone(),
+                significant(best.errors.rmse),
+                significant(best.pixel),
+                equal_samples(best),
+                equal_time(best),
+            ],
+            class: "",
+        });
+        let headers =
+            &["Scene", "Best filter", "RMSE", "ns per pixel", "Equal samples", "Equal time"];
+        let table = Table { headers, rows: rows.collect() };
+        format!("\n{}{}\n", table.text(), self.conditions())
+    }
+
+    /// The page.
+    pub(crate) fn html(&self, methods: &[Method]) -> String {
+        let sections: Vec<_> = self.studies.iter().map(section::html).collect();
+        format!(
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <title>lobe: error against run time</title>\n<style>\n{}</style>\n</head>\n<body>\n\
+             <h1>Error against run time</h1>\n\
+             <p class=\"lead\">Specular filters at one sample per pixel against plain supersampling, \
+             alpha = {}. The large number is how much longer supersampling takes to reach the best \
+             filter\u{2019}s error.</p>\n\
+             {}{}{}</body>\n</html>\n",
+            include_str!("style.css"),
+            self.alpha,
+            self.summary(),
+            sections.concat(),
+            self.explanation(methods),
+        )
+    }
+
+    /// Each study's best filters.
+    fn findings(&self) -> impl Iterator<Item = (&Study, &Panel, &Row)> {
+        let panels = self.studies.iter().flat_map(|s| s.panels.iter().map(move |p| (s, p)));
+        panels.filter_map(|(study, panel)| Some((study, panel, panel.best()?)))
+    }
+
+    /// Cards at the top of the page, of GGX.
+    fn summary(&self) -> String {
+        let ggx = self.findings().filter(|(_, panel, _)| panel.distribution == Distribution::Ggx);
+        let cards = ggx.map(|(study, panel, best)| {
+            let plain = panel.plain().map_or(f64::NAN, |row| row.errors.rmse);
+            format!(
+                "<li><span class=\"where\">{}</span><span class=\"factor\">{}</span>\
+                 <span class=\"how\"><b>{}</b><br>the error of {} samples<br>in {} ns per pixel<br>\
+                 RMSE {}<br>unfiltered {}</span></li>\n",
+                escape(&study.name),
+                equal_time(best),
+                escape(&best.name),
+                equal_samples(best),
+                significant(best.pixel),
+                significant(best.errors.rmse),
+                significant(plain),
+            )
+        });
+        format!(
+            "<ul class=\"summary\">\n{}</ul>\n<p class=\"note\">{}</p>\n",
+            cards.collect::<Vec<_>>().concat(),
+            escape(&self.conditions()),
+        )
+    }
+
+    /// What the numbers hold for.
+    fn conditions(&self) -> String {
+        format!(
+            "Timed in this run on one thread of: {}. Times compare within one run only. Reference: {} \
+             samples per pixel on average, in f64.",
+            self.processor, self.effort.sampling.samples,
+        )
+    }
+
+    /// How it was measured, and the methods with their sources.
+    fn explanation(&self, methods: &[Method]) -> String {
+        let rows = methods.iter().filter(|m| m.filters || m.samples == 1).map(|m| Line {
+            cells: vec![
+                if m.filters { m.name.clone() } else { "none, supersampling".into() },
+                m.distribution.name().into(),
+                m.source.into(),
+                m.note.into(),
+            ],
+            class: "",
+        });
+        let headers = &["Method", "NDF", "Source", "What it does"];
+        let table = Table { headers, rows: rows.collect() };
+        let rounds = self.effort.rounds.to_string();
+        format!(
+            "{}<h3>Methods</h3>\n<div class=\"methods\">{}</div>\n",
+            include_str!("explanation.html").replace("{rounds}", &rounds),
+            table.html(),
+        )
+    }
+}
+
+/// Text for HTML, in elements and in quoted attributes.
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => escaped += "&amp;",
+            '<' => escaped += "&lt;",
+            '>' => escaped += "&gt;",
+            '"' => escaped += "&quot;",
+            _ => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::escape;
+
+    #[test]
+    fn names_of_files_cannot_break_the_page() {
+        assert_eq!(escape("a<b> & \"c\""), "a&lt;b&gt; &amp; &quot;c&quot;");
+    }
+}

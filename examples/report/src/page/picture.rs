@@ -1,0 +1,92 @@
+//! Pictures: radiance to a tone-mapped PNG in a data URL.
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
+use crate::camera::Size;
+
+/// The tone curve of a scene's pictures, $1 - e^{-k x}$ in sRGB: highlights without a hard edge.
+#[derive(Clone, Copy)]
+pub(super) struct Tone {
+    exposure: f64,
+    /// The radiance that shows as [`WHITE`], in multiples of the mean.
+    pub(super) bright: f64,
+}
+
+/// How white the reference's 99th percentile is: one pixel in a hundred is brighter, and shows it.
+pub(super) const WHITE: f64 = 0.8;
+
+impl Tone {
+    /// The curve for a reference picture.
+    pub(super) fn of(reference: &[f64]) -> Self {
+        let mut sorted = reference.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let bright =
+            sorted.get(sorted.len() * 99 / 100).copied().filter(|&x| x > 0.0).unwrap_or(1.0);
+        Self { exposure: -(1.0 - WHITE).ln() / bright, bright }
+    }
+
+    /// Radiance to an sRGB byte.
+    fn byte(self, x: f64) -> u8 {
+        let linear = 1.0 - (-self.exposure * x.max(0.0)).exp();
+        let encoded = if linear <= 0.003_130_8 {
+            12.92 * linear
+        } else {
+            1.055 * linear.powf(1.0 / 2.4) - 0.055
+        };
+        // In 0 to 255: the cast only drops the fraction.
+        #[allow(clippy::cast_sign_loss)]
+        let byte = (255.0 * encoded + 0.5) as u8;
+        byte
+    }
+
+    /// A grey picture as `data:image/png;base64,...`.
+    pub(super) fn data_url(self, size: Size, values: &[f64]) -> String {
+        let grey: Vec<u8> = values.iter().map(|&x| self.byte(x)).collect();
+        let mut file = Vec::new();
+        let mut encoder = png::Encoder::new(&mut file, extent(size.width), extent(size.height));
+        encoder.set_color(png::ColorType::Grayscale);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_compression(png::Compression::High);
+        // Into memory, with as many bytes as the header says: nothing here can fail.
+        let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(&grey));
+        debug_assert!(written.is_ok());
+        format!("data:image/png;base64,{}", STANDARD.encode(file))
+    }
+}
+
+/// A side of a picture; at most 4096 by the command line's check.
+fn extent(side: usize) -> u32 {
+    u32::try_from(side).unwrap_or(u32::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Tone;
+    use crate::camera::Size;
+
+    #[test]
+    fn tones_run_from_black_to_white_by_the_reference() {
+        let reference: Vec<f64> = (0..1000).map(f64::from).collect();
+        let tone = Tone::of(&reference);
+        assert_eq!(tone.bright, 990.0);
+        assert_eq!([0.0, -1.0, 1e9].map(|x| tone.byte(x)), [0, 0, 255]);
+        // 0.8 in linear light is 231 in sRGB.
+        assert_eq!(tone.byte(990.0), 231);
+        assert!(Tone::of(&[0.0; 4]).byte(1.0) > 200);
+    }
+
+    #[test]
+    fn the_png_decodes_to_what_went_in() {
+        use base64::Engine;
+        let values = [0.0, 0.1, 1.0, 9.0, 0.0, 0.5];
+        let tone = Tone::of(&values);
+        let url = tone.data_url(Size { width: 3, height: 2 }, &values);
+        let encoded = url.strip_prefix("data:image/png;base64,").unwrap();
+        let file = base64::engine::general_purpose::STANDARD.decode(encoded).unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
+        let mut grey = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut grey).unwrap();
+        assert_eq!(grey, values.map(|x| tone.byte(x)));
+    }
+}

@@ -1,0 +1,108 @@
+//! Mistakes on the command line: exit code 2 and one line on stderr that names the culprit.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn report(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_lobe-report")).args(arguments).output().unwrap()
+}
+
+/// A folder of the test's own, empty.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// The mistake's line.
+fn refusal(arguments: &[&str]) -> String {
+    let output = report(arguments);
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {text}");
+    assert!(output.stdout.is_empty());
+    assert!(text.starts_with("error: ") && text.trim_end().lines().count() == 1, "{text}");
+    text
+}
+
+#[test]
+fn numbers_out_of_range_name_their_parameter() {
+    for (parameter, values) in [
+        ("--alpha", ["0", "-0.1", "nan", "inf", "2", "rough"].as_slice()),
+        ("--size", ["0", "-3", "4.5", "100000", "large"].as_slice()),
+        ("--scene", ["fire", ""].as_slice()),
+    ] {
+        for value in values {
+            let line = refusal(&[&format!("{parameter}={value}")]);
+            assert!(line.contains(parameter), "{line}");
+        }
+    }
+    assert!(refusal(&["--nonsense"]).contains("--nonsense"));
+    assert!(refusal(&["--alpha"]).contains("--alpha"));
+}
+
+#[test]
+fn normal_maps_that_cannot_be_used_are_named_and_leave_nothing_behind() {
+    let folder = folder("maps");
+    let out = folder.join("out");
+    let write = |name: &str, bytes: &[u8]| {
+        let path = folder.join(name);
+        fs::write(&path, bytes).unwrap();
+        path
+    };
+    let picture = |color, palette: bool| {
+        let mut file = Vec::new();
+        let mut encoder = png::Encoder::new(&mut file, 1, 1);
+        encoder.set_color(color);
+        if palette {
+            encoder.set_palette(vec![128, 128, 255]);
+        }
+        encoder.write_header().unwrap().write_image_data(&[0]).unwrap();
+        file
+    };
+    let grey = picture(png::ColorType::Grayscale, false);
+    let mut no_pixels = grey.clone();
+    no_pixels[16..24].fill(0);
+    for (path, reason) in [
+        (folder.join("missing.png"), ""),
+        (folder.clone(), ""),
+        (write("empty.png", &[]), "empty"),
+        (write("text.png", b"not a picture"), "PNG"),
+        (write("cut.png", &grey[..40]), "PNG"),
+        (write("no-pixels.png", &no_pixels), ""),
+        (write("palette.png", &picture(png::ColorType::Indexed, true)), "palette"),
+        (write("grey.png", &grey), "greyscale"),
+    ] {
+        let path = path.to_str().unwrap();
+        let line = refusal(&["--normal-map", path, "--quick", "--out", out.to_str().unwrap()]);
+        assert!(line.contains("--normal-map") && line.contains(path), "{line}");
+        assert!(line.contains(reason), "{line}");
+    }
+    assert!(!out.exists(), "the input is checked before anything is made");
+}
+
+#[test]
+fn a_normal_map_without_a_plane_is_a_mistake() {
+    assert!(refusal(&["--scene", "water", "--normal-map", "x.png"]).contains("--normal-map"));
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_named() {
+    let file = folder("out").join("file");
+    fs::write(&file, "").unwrap();
+    let below = file.join("below");
+    let below = below.to_str().unwrap();
+    let line = refusal(&["--quick", "--size", "32", "--scene", "water", "--out", below]);
+    assert!(line.contains("--out") && line.contains(below), "{line}");
+}
+
+#[test]
+fn help_names_every_option() {
+    let output = report(&["--help"]);
+    assert!(output.status.success());
+    let text = String::from_utf8(output.stdout).unwrap();
+    for option in ["--quick", "--scene", "--normal-map", "--alpha", "--size", "--out"] {
+        assert!(text.contains(option), "{option}");
+    }
+}

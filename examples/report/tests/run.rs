@@ -1,0 +1,90 @@
+//! Small runs from end to end: one page, whole, without anything from outside.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Runs the report into an empty folder; its standard output and its page.
+fn run(name: &str, arguments: &[&str]) -> (String, String) {
+    let folder: PathBuf = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    let output = Command::new(env!("CARGO_BIN_EXE_lobe-report"))
+        .args(["--quick", "--size", "32", "--out", folder.to_str().unwrap()])
+        .args(arguments)
+        .output()
+        .unwrap();
+    let errors = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{errors}");
+    assert!(errors.is_empty(), "no progress bar without a terminal: {errors}");
+    let files: Vec<_> = fs::read_dir(&folder).unwrap().map(|f| f.unwrap().file_name()).collect();
+    assert_eq!(files, ["index.html"], "one file, nothing unfinished");
+    (
+        String::from_utf8(output.stdout).unwrap(),
+        fs::read_to_string(folder.join("index.html")).unwrap(),
+    )
+}
+
+/// Every `src`, `href`, `url(` and `@import` of a page points into the page.
+fn assert_self_contained(page: &str) {
+    for attribute in ["src=\"", "href=\""] {
+        for (at, _) in page.match_indices(attribute) {
+            let value = &page[at + attribute.len()..];
+            assert!(value.starts_with("data:image/png;base64,"), "{}", &value[..60]);
+        }
+    }
+    for outside in ["url(", "@import", "http:", "https:", "<script", "<link", "<iframe"] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+}
+
+#[test]
+fn water_gives_one_self_contained_page_with_finite_numbers() {
+    let (text, page) = run("water", &["--scene", "water"]);
+    assert_self_contained(&page);
+    assert_eq!(page.matches("<svg").count(), 2);
+    assert_eq!(page.matches("<img").count(), 4);
+    for (name, rows) in [("exact parallelogram", 1), ("supersampling 256", 2), ("rectangle", 2)] {
+        let lines = text.lines().filter(|line| line.starts_with(name));
+        assert_eq!(lines.count(), rows, "{name}");
+        assert!(page.contains(name), "{name}");
+    }
+    for wrong in ["NaN", "inf ", "-0."] {
+        assert!(!text.contains(wrong), "{wrong} in\n{text}");
+    }
+}
+
+#[test]
+fn on_water_the_exact_filter_beats_every_other_and_supersampling_converges() {
+    let (text, _) = run("order", &["--scene", "water"]);
+    let ggx: Vec<_> = text.lines().take_while(|line| !line.starts_with("Beckmann")).collect();
+    let rmse = |name: &str| -> f64 {
+        let line = ggx.iter().find(|line| line.starts_with(name)).unwrap();
+        // Name, samples, RMSE: names end where two spaces begin.
+        let cells = line[name.len()..].split_whitespace().collect::<Vec<_>>();
+        cells[1].parse().unwrap()
+    };
+    let exact = rmse("exact parallelogram");
+    for other in ["none (1 sample)", "variance addition, box", "rectangle", "Tokuyoshi 2017"] {
+        assert!(exact < rmse(other), "{other}");
+    }
+    assert!(rmse("supersampling 256") < 0.25 * rmse("supersampling 16"));
+}
+
+#[test]
+fn a_user_s_map_replaces_the_carried_ones_and_its_name_is_escaped() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let map = folder.join("a&b.png");
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, 2, 2);
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.set_depth(png::BitDepth::Sixteen);
+    let texel = |x: u8, y: u8| [x, 0, y, 0, 255, 0, 9, 9];
+    let data = [texel(128, 128), texel(150, 128), texel(128, 100), texel(110, 140)].concat();
+    encoder.write_header().unwrap().write_image_data(&data).unwrap();
+    fs::write(&map, file).unwrap();
+
+    let (text, page) = run("map", &["--scene", "plane", "--normal-map", map.to_str().unwrap()]);
+    assert_self_contained(&page);
+    assert!(text.contains("plane: a&b") && !text.contains("leather"));
+    assert!(page.contains("<h2>plane: a&amp;b</h2>"));
+}
