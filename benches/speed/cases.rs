@@ -102,6 +102,9 @@ fn footprints(regime: Regime) -> Vec<Case> {
     let aligned: Vec<_> = samples.iter().map(|s| (axis_aligned(s), place(s))).collect();
     let any: Vec<_> = samples.iter().map(|s| (full(s), place(s))).collect();
     vec![
+        case(group, "appendix_a_by_hand", samples.clone(), |s| {
+            hand_written::appendix_a(s.alphas, s.slope, s.footprint.extents())
+        }),
         case(group, "appendix_a", samples, |s| {
             filter::kaplanyan_rectangle_mean(s.alphas, s.slope, s.footprint.extents())
         }),

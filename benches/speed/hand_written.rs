@@ -30,3 +30,21 @@ pub(crate) fn axis_aligned([ax, ay]: [f32; 2], wo: [f32; 3], wi: [f32; 3]) -> f3
     let v = 0.5 / (wo[2] * root(wi) + wi[2] * root(wo));
     if wo[2] > 0.0 && wi[2] > 0.0 { d * v } else { 0.0 }
 }
+
+/// Kaplanyan 2016, Appendix A, with its corners mended: the mean of GGX over `slope +- widths/2`, with the
+/// standard library's arctangent.
+#[inline(always)]
+pub(crate) fn appendix_a([ax, ay]: [f32; 2], slope: [f32; 2], widths: [f32; 2]) -> f32 {
+    let phi = |x: f32, y: f32, gamma: f32, delta: f32| {
+        let root = (x * x + gamma * gamma).sqrt();
+        x / root * (gamma * y / (delta * root)).atan()
+    };
+    let (s0, s1) = (slope[0] - 0.5 * widths[0], slope[0] + 0.5 * widths[0]);
+    let (t0, t1) = (slope[1] - 0.5 * widths[1], slope[1] + 0.5 * widths[1]);
+    let sum = phi(s0, t0, ax, ay) - phi(s0, t1, ax, ay) + phi(s1, t1, ax, ay) - phi(s1, t0, ax, ay)
+        + phi(t0, s0, ay, ax)
+        - phi(t0, s1, ay, ax)
+        + phi(t1, s1, ay, ax)
+        - phi(t1, s0, ay, ax);
+    sum / (2.0 * PI * widths[0] * widths[1])
+}

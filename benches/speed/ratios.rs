@@ -5,10 +5,13 @@ use super::samples::{COUNT, Regime};
 use std::time::Instant;
 
 /// A promise: `subject` takes no longer than `rival` in the same group.
-const PROMISES: [(&str, &str, &str); 3] = [
+const PROMISES: [(&str, &str, &str); 6] = [
     ("shading", "isotropic", "isotropic_by_hand"),
     ("shading", "axis_aligned", "axis_aligned_by_hand"),
-    ("mixed", "axis_aligned", "appendix_a"),
+    ("mixed", "axis_aligned", "appendix_a_by_hand"),
+    ("small", "axis_aligned", "appendix_a_by_hand"),
+    ("thin", "axis_aligned", "appendix_a_by_hand"),
+    ("large", "axis_aligned", "appendix_a_by_hand"),
 ];
 
 /// What more roughness, or a check per sample, costs.
@@ -64,6 +67,7 @@ pub(crate) fn print(cases: &mut [Case]) {
         print_ratio(cases, "shading", subject, "isotropic", "");
     }
     for regime in Regime::ALL {
+        print_ratio(cases, regime.name(), "appendix_a_by_hand", "appendix_a", "");
         for subject in ["isotropic", "axis_aligned", "full"] {
             print_ratio(cases, regime.name(), subject, "appendix_a", "");
         }

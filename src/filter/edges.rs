@@ -22,13 +22,17 @@ pub(super) fn around_the_lobe<R: Real>(
     exact_area: impl Fn() -> R,
 ) -> Option<R> {
     let area = w.u[0] * w.v[1] - w.u[1] * w.v[0];
-    let height2 = area * area / side2;
     let q = R::ONE + centre2;
     let near = centre2 <= R::lit(16.0) && side2 <= R::lit(32.0 * 32.0);
-    let thick =
-        height2 >= (R::lit(0.25) * q).min(R::lit(0.01) * (q * q * q).max(R::lit(0.016) * side2));
-    let depth2 = R::lit(0.1 * 0.1) * side2.sqrt();
-    if !(if near { thick } else { height2 >= R::lit(4.0) * depth2 }) {
+    // Squares of the least height, and of the least distance of the edges.
+    let (height2, depth2) = if near {
+        let least = R::lit(0.01) * (q * q * q).max(R::lit(0.016) * side2);
+        (least.min(R::lit(0.25) * q), R::ZERO)
+    } else {
+        let depth2 = R::lit(0.1 * 0.1) * side2.sqrt();
+        (R::lit(4.0) * depth2, depth2)
+    };
+    if area * area < height2 * side2 {
         return None;
     }
     let (half, turn) = (R::HALF, if area < R::ZERO { -R::ONE } else { R::ONE });
@@ -95,14 +99,34 @@ impl<R: Real> Edges<R> {
         if deepest > R::ZERO { R::ZERO } else { nearest }
     }
 
-    /// The sum of a term over all edges.
+    /// A term of every edge.
     #[inline(always)]
-    fn sum(&self, term: impl Fn(R, R, R, R) -> R) -> R {
+    fn terms(&self, term: impl Fn(R, R, R, R) -> R) -> [R; 4] {
         let mut terms = [R::ZERO; 4];
         for (k, value) in terms.iter_mut().enumerate() {
             *value = term(self.d[k], self.t0[k], self.t1[k], self.length[k]);
         }
-        (terms[0] + terms[1]) + (terms[2] + terms[3])
+        terms
+    }
+
+    /// True if the edge points at the lobe, so that its angles on the sphere and on the plane nearly agree.
+    #[inline(always)]
+    fn is_radial(&self, k: usize) -> bool {
+        let (product, square) = (self.t0[k] * self.t1[k], self.d[k] * self.d[k]);
+        let q = R::ONE + square;
+        square * self.length[k].max(R::ONE) <= product && q.sqrt() * self.length[k] <= q + product
+    }
+
+    /// The terms of [`far`], those of radial edges by [`radial`].
+    #[inline(always)]
+    fn far_terms(&self) -> [R; 4] {
+        let mut terms = self.terms(far);
+        for (k, term) in terms.iter_mut().enumerate() {
+            if self.is_radial(k) {
+                *term = -radial(self.d[k], self.t0[k], self.t1[k], self.length[k]);
+            }
+        }
+        terms
     }
 }
 
@@ -114,8 +138,9 @@ pub(super) fn mass<R: Real>(p: &Frame<R>) -> R {
     let turn = R::lit(0.5 * core::f64::consts::FRAC_1_PI);
     // From outside, the terms add up to whole turns plus a mass that falls like the squared distance: far
     // away the turns are left out. (The bounding rectangle of a long sheared footprint does not tell.)
-    let sum =
-        if edges.distance_squared() <= R::lit(3.0) { edges.sum(near) } else { edges.sum(far) };
+    let terms =
+        if edges.distance_squared() <= R::lit(3.0) { edges.terms(near) } else { edges.far_terms() };
+    let sum = (terms[0] + terms[1]) + (terms[2] + terms[3]);
     (sum * turn).max(R::ZERO)
 }
 
@@ -138,10 +163,6 @@ fn far<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     let (product, depth) = (t0 * t1, d.abs());
     let q = R::ONE + d * d;
     let s = q.sqrt();
-    let seen_end_on = d * d <= product && d * d * length <= product;
-    if seen_end_on && s * length <= q + product {
-        return -radial(d, t0, t1, length);
-    }
     let delta = R::ONE / (s + depth);
     let angle = (length * s).atan2(q + product);
     let y = length * delta * (product - s * depth);

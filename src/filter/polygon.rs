@@ -108,10 +108,17 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
             mean
         } else {
             let strip = Strip::new(&whitened);
-            if !strip.keeps_digits() {
+            let long = !strip.keeps_digits();
+            if strip.is_narrow() {
+                if long {
+                    strip.sharpened(&whitened, shape, (offset, low), footprint).narrow_mean()
+                } else if S::Scalar::SINGLE {
+                    strip.mean(&GAUSS_FOUR)
+                } else {
+                    strip.mean(&GAUSS_EIGHT)
+                }
+            } else if long {
                 general_mean(&Frame::exact(&whitened, shape, offset, low, footprint))
-            } else if strip.is_narrow() {
-                if S::Scalar::SINGLE { strip.mean(&GAUSS_FOUR) } else { strip.mean(&GAUSS_EIGHT) }
             } else {
                 general_mean(&Frame::plain(&whitened))
             }

@@ -5,7 +5,8 @@
 
 use super::segment::{near_mean, uniform_mean};
 use crate::scalar::Real;
-use crate::scalar::quadrature::Rule;
+use crate::scalar::exact::{cross, two_sum};
+use crate::scalar::quadrature::{GAUSS_EIGHT, GAUSS_FOUR, Rule};
 use crate::slope::{Footprint, Shape};
 
 /// Length in distances up to which whitened coordinates keep five digits in f32.
@@ -64,6 +65,7 @@ pub(super) struct Strip<R> {
     start: R,
     end: R,
     n: R,
+    axis: [R; 2],
     length: R,
     lean: R,
     rise: R,
@@ -99,7 +101,33 @@ impl<R: Real> Strip<R> {
         let (lean, rise) = (dot(axis, [bx, by]), dot(turned, [bx, by]));
         let reach = [half * (length + lean.abs()), half * rise.abs()];
         let nearness = nearness([half * (start + end), n], reach);
-        Self { start, end, n, length, lean, rise, nearness }
+        Self { start, end, n, axis, length, lean, rise, nearness }
+    }
+
+    /// The same with ends and distance as exact as if each were the centre, from slope space: for a long strip.
+    ///
+    /// See [`Frame::exact`](super::frame::Frame::exact).
+    #[inline(never)]
+    pub(super) fn sharpened<S: Shape<Scalar = R>>(
+        mut self,
+        w: &Whitened<R>,
+        shape: &S,
+        (offset, offset_low): ([R; 2], [R; 2]),
+        footprint: &Footprint<R>,
+    ) -> Self {
+        let a = if w.is_swapped() { footprint.v } else { footprint.u };
+        let end = |half: R| {
+            let sum = |k: usize| {
+                let (sum, error) = two_sum(offset[k], half * a[k]);
+                two_sum(sum, error + offset_low[k])
+            };
+            let ((x, x_low), (y, y_low)) = (sum(0), sum(1));
+            dot(self.axis, shape.whiten([x, y], [x_low, y_low]))
+        };
+        (self.start, self.end) = (end(-R::HALF), end(R::HALF));
+        let low = a[0] * offset_low[1] - a[1] * offset_low[0];
+        self.n = (cross(a, offset) + low) / (shape.root_det() * self.length);
+        self
     }
 
     /// True if no corner can lie much nearer to the lobe than the strip is long, so that the rounding of
@@ -115,10 +143,17 @@ impl<R: Real> Strip<R> {
         self.lean * self.lean + self.rise * self.rise <= R::lit(0.5 * 0.5) * self.nearness
     }
 
+    /// Mean of the unit density over a narrow strip, out of line.
+    #[inline(never)]
+    pub(super) fn narrow_mean(&self) -> R {
+        if R::SINGLE { self.mean(&GAUSS_FOUR) } else { self.mean(&GAUSS_EIGHT) }
+    }
+
     /// Mean of the unit density over a narrow strip.
     #[inline(always)]
     pub(super) fn mean<const N: usize>(&self, rule: &Rule<N>) -> R {
-        if self.nearness <= R::lit(9.0) {
+        // Within three units; the product of four lengths must stay in range.
+        if self.nearness <= R::lit(9.0) && self.length <= R::lit(1e6) {
             self.mean_of(rule, near_mean)
         } else {
             self.mean_of(rule, uniform_mean)

@@ -64,9 +64,10 @@ impl<const N: usize> Rule<N> {
     /// All values first, then their sum: straight-line code that the compiler lays out in lanes.
     #[inline(always)]
     pub(crate) fn mean<R: Real>(&self, f: impl Fn(R) -> R) -> R {
-        let mut values = [R::ZERO; N];
-        for ((value, &node), &weight) in values.iter_mut().zip(&self.nodes).zip(&self.weights) {
-            *value = R::lit(weight) * f(R::lit(node));
+        // Indexed, over arrays of this precision: as many lanes as it has.
+        let (nodes, mut values) = self.points();
+        for k in 0..N {
+            values[k] = values[k] * f(nodes[k]);
         }
         values.iter().fold(R::ZERO, |sum, &value| sum + value)
     }
