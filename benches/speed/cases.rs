@@ -6,8 +6,8 @@
 use super::hand_written;
 use super::samples::{COUNT, Regime, Sample, samples};
 use lobe::{
-    AxisAligned, Beckmann, Footprint, Full, Ggx, Isotropic, Kernel, Lobe, PixelFilter, Roughness,
-    Tilted, filter,
+    AxisAligned, Beckmann, Footprint, Full, Ggx, Isotropic, Kernel, PixelFilter, Roughness, Tilted,
+    filter,
 };
 use std::hint::black_box;
 
@@ -68,6 +68,13 @@ fn shading() -> Vec<Case> {
         .map(|s| (Tilted::new(full(s), s.mean).expect("a valid mean"), s.wo, s.wi))
         .collect();
     let alpha = |s: &Sample| s.alphas[0];
+    let filtered: Vec<_> = samples
+        .iter()
+        .map(|s| {
+            let roughness = Roughness::from_alpha(s.alphas[0]).expect("a valid alpha");
+            (roughness, s.footprint, s.wo, s.wi)
+        })
+        .collect();
     vec![
         case(GROUP, "isotropic_by_hand", with(alpha), |&(a, wo, wi)| {
             hand_written::isotropic(a, wo, wi)
@@ -85,10 +92,9 @@ fn shading() -> Vec<Case> {
         case(GROUP, "beckmann_isotropic", round, |&(shape, wo, wi)| {
             Beckmann::new(shape).brdf(wo, wi)
         }),
-        case(GROUP, "variance_addition", samples, |s| {
-            let Ok(roughness) = Roughness::from_alpha(s.alphas[0]) else { return f32::NAN };
-            let filtered = roughness.widened(&Kernel::of(&s.footprint, PixelFilter::BOX));
-            Ggx::new(Lobe::centred(filtered).shape()).brdf(s.wo, s.wi)
+        case(GROUP, "variance_addition", filtered, |&(roughness, footprint, wo, wi)| {
+            let widened = roughness.widened(&Kernel::of(&footprint, PixelFilter::BOX));
+            Ggx::new(Full::new(widened)).brdf(wo, wi)
         }),
     ]
 }

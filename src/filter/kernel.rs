@@ -70,15 +70,13 @@ impl<R: Real> Kernel<R> {
     /// is shrunk in proportion, as squares would overflow. That wide, no lobe has a density above 1e-18.
     #[inline]
     pub fn of(footprint: &Footprint<R>, filter: PixelFilter) -> Self {
-        let variance = R::lit(filter.variance);
-        let largest = footprint.extents()[0].max(footprint.extents()[1]);
+        let Footprint { u, v } = *footprint;
+        let largest = u[0].abs().max(u[1].abs()).max(v[0].abs().max(v[1].abs()));
         let limit = R::LARGEST / R::lit(filter.variance.max(1.0)).sqrt();
-        let (mut u, mut v) = (footprint.u, footprint.v);
-        if largest > limit {
-            let bounded = footprint.rescaled(limit);
-            (u, v) = (bounded.u, bounded.v);
-        }
-        Self { covariance: Psd::outer_sum(u, v).scaled(variance) }
+        // 1 for all but those footprints, without a branch.
+        let factor = limit / largest.max(limit);
+        let covariance = Psd::outer_sum(u.map(|x| x * factor), v.map(|x| x * factor));
+        Self { covariance: covariance.scaled(R::lit(filter.variance)) }
     }
 
     /// A kernel of this covariance: an area light, a depth of field, a normal map's spread.

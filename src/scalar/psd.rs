@@ -182,16 +182,18 @@ impl<R: Real> Psd<R> {
 
     /// $\mathrm{tr}(\mathrm{adj}(A)\, B)$ as a sum of squares: with `u = a_xx b_xy - a_xy b_xx`,
     /// $(u^2 + \det A\, b_{xx}^2 + \det B\, a_{xx}^2) / (a_{xx} b_{xx})$.
+    #[inline]
     pub(crate) fn mixed_det(&self, other: &Self) -> R {
-        if self.xx < R::MIN_POSITIVE || other.xx < R::MIN_POSITIVE {
-            // One of the two is diag(0, yy): its xy is 0 and no term cancels.
-            return self.xx * other.yy + self.yy * other.xx;
-        }
         let u = difference_of_products(self.xx, other.xy, self.xy, other.xx);
+        let least = R::MIN_POSITIVE;
+        let (inverse, inverse_other) = (R::ONE / self.xx.max(least), R::ONE / other.xx.max(least));
         // Quotients first: squares of the smallest entries underflow in f32.
-        (u / self.xx) * (u / other.xx)
-            + other.xx * (self.root_det * (self.root_det / self.xx))
-            + self.xx * (other.root_det * (other.root_det / other.xx))
+        let squares = (u * inverse) * (u * inverse_other)
+            + other.xx * (self.root_det * (self.root_det * inverse))
+            + self.xx * (other.root_det * (other.root_det * inverse_other));
+        // One of the two is diag(0, yy): its xy is 0 and no term cancels.
+        let products = self.xx * other.yy + self.yy * other.xx;
+        if self.xx.min(other.xx) < least { products } else { squares }
     }
 
     /// $w^T M w$, as a sum of squares: exact to a few ulp even along the minor axis.

@@ -196,25 +196,24 @@ impl<R: Real> Full<R> {
     /// assert!(ggx.slope_pdf([0.1, 0.1]) > 0.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    #[inline]
     pub fn new(roughness: Roughness<R>) -> Self {
         let matrix = roughness.matrix();
         let [xx, xy, yy] = matrix.entries();
-        if matrix.is_singular() {
-            let inverse_xx = if xx < R::MIN_POSITIVE { R::ZERO } else { R::ONE / xx };
-            let schur = if xx < R::MIN_POSITIVE { yy } else { R::ZERO };
-            let zero = R::ZERO;
-            return Self { xx, xy, root_det: zero, inverse_xx, along: zero, across: zero, schur };
-        }
-        let root_det = matrix.root_det();
-        let along = root_det / xx;
+        let (zero, least) = (R::ZERO, R::MIN_POSITIVE);
+        // Selects instead of branches: loops over samples stay free of jumps.
+        let root_det = if matrix.is_singular() { zero } else { matrix.root_det() };
+        let flat = xx < least;
+        let inverse = R::ONE / xx.max(least);
+        let along = root_det * inverse;
         Self {
             xx,
             xy,
             root_det,
-            inverse_xx: R::ONE / xx,
+            inverse_xx: if flat { zero } else { inverse },
             along,
-            across: xx / root_det,
-            schur: root_det * along,
+            across: xx / root_det.max(least),
+            schur: if flat { yy } else { root_det * along },
         }
     }
 }
