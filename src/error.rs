@@ -42,6 +42,12 @@ pub enum Error {
     Limit,
     /// `weight` is negative, infinite or NaN, or the weights sum to zero.
     Weight,
+    /// A reflectance at normal incidence is outside `[0, 1]` or NaN.
+    Reflectance,
+    /// `eta` is outside `(0, 1e9]`, `k` outside `[0, 1e9]`, or one is NaN.
+    Index,
+    /// Slices that belong together differ in length.
+    Length,
     /// A half vector is not finite or does not point above the surface, so it has no slope.
     HalfVector,
     /// A position or direction has no length, or is infinite or NaN.
@@ -65,6 +71,9 @@ impl fmt::Display for Error {
             Self::Variance => "variance must lie in [0, 1e9]",
             Self::Limit => "limit must not be negative",
             Self::Weight => "weights must be finite and not negative, and not all zero",
+            Self::Reflectance => "reflectance at normal incidence must lie in [0, 1]",
+            Self::Index => "index of refraction: eta must lie in (0, 1e9], k in [0, 1e9]",
+            Self::Length => "slices must have one length",
             Self::HalfVector => "half vector must be finite and point above the surface",
             Self::Direction => "direction or position must be finite and have a length",
         })

@@ -5,8 +5,10 @@ extern crate std;
 
 mod error;
 pub mod filter;
+pub mod material;
 pub mod ndf;
 mod scalar;
+pub mod shade;
 pub mod slope;
 
 pub use error::Error;
