@@ -3,7 +3,7 @@
 # compiler's linker; rustfmt and clippy are installed where they are missing.
 #
 #   ./test.sh          all of it
-#   ./test.sh --fast   without release builds: no golden tables, no benches, no fuzz targets
+#   ./test.sh --fast   without release builds: no validate, no benches, no fuzz targets
 #
 # The last line is the sum over all test binaries: "N passed, 0 failed".
 set -euo pipefail
@@ -78,17 +78,17 @@ refuses "E0152" cargo build --manifest-path tests/no_std/Cargo.toml --features s
 step "Documentation"
 RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
 
-step "Tests: laws, corpus, doc tests"
+step "Tests: laws, golden tables, corpus, doc tests"
 tests=$(mktemp)
 trap 'rm -f "$log" "$tests"' EXIT
 failures=()
 cargo test --workspace --no-fail-fast 2>&1 | tee "$tests" || failures+=("tests")
 
 if $fast; then
-    skip "golden tables, benches, fuzz targets (--fast)"
+    skip "validate, benches, fuzz targets (--fast)"
 else
-    step "Golden tables against their budgets"
-    cargo run --quiet --release --example validate || failures+=("golden tables")
+    step "validate: the library against its golden tables, as a user runs it"
+    cargo run --quiet --release --example validate || failures+=("validate")
 
     step "Benches build"
     cargo bench --workspace --no-run --quiet

@@ -1,4 +1,101 @@
 //! Microfacet lobes that can be filtered.
+//!
+//! A shiny surface seen through a pixel is a distribution of slopes. Where that distribution is narrower than
+//! what the pixel covers, highlights flicker. This crate has the distributions (Beckmann and GGX, any roughness
+//! matrix, any mean), the pixel's footprint on the slope plane, and the filters that bring the two together:
+//! exact where a closed form exists, and otherwise with a stated error.
+//!
+//! # A tour
+//!
+//! ```
+//! use glam::Vec3;
+//! use lobe::{Footprint, Full, Ggx, Kernel, Lobe, PixelFilter, Roughness};
+//!
+//! // A material: roughness from what the artist has, here perceptual roughness.
+//! let lobe = Lobe::centred(Roughness::from_perceptual(0.1_f32)?);
+//!
+//! // A pixel: how the half vector's slope changes to the next pixels, by differences of half vectors.
+//! let h = Vec3::new(0.02, 0.01, 1.0).normalize();
+//! let right = Vec3::new(0.07, 0.01, 1.0).normalize();
+//! let up = Vec3::new(0.03, 0.05, 1.0).normalize();
+//! let footprint = Footprint::from_half_vectors(h, right, up)?;
+//!
+//! // One filter: the lobe widened by the pixel's Gaussian, then shaded as any other lobe.
+//! let widened = lobe.widened(&Kernel::of(&footprint, PixelFilter::BOX));
+//! let (wo, wi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.6, 0.0, 0.8));
+//! let filtered = Ggx::new(widened.shape()).brdf(wo, wi);
+//!
+//! // Another: the lobe averaged over the footprint's parallelogram, exactly.
+//! let ggx = Ggx::new(Full::new(lobe.roughness()));
+//! let exact = ggx.brdf_over(wo, wi, &footprint);
+//!
+//! assert!(filtered < ggx.brdf(wo, wi) && exact < ggx.brdf(wo, wi));
+//! # Ok::<(), lobe::Error>(())
+//! ```
+//!
+//! - Upstream, everything ends in a [`Lobe`]: a mean slope and a [`Roughness`]. Footprints ([`Footprint`],
+//!   [`Path`]) become kernels ([`Kernel`]), normal maps become [`SlopeMoments`], and both widen a lobe.
+//! - Downstream, an [`Ndf`] ([`Ggx`] or [`Beckmann`]) over a [`Shape`] answers what shading asks: density,
+//!   projected area, Lambda, G1, G2, visibility, the BRDF without Fresnel. Choose the shape the scene needs:
+//!   [`Isotropic`] costs what hand-written isotropic code costs, [`Full`] takes any anisotropy, [`Tilted`] any
+//!   mean.
+//! - [`filter`] has the rest: exact means over polygons, GGX under a Gaussian by quadrature, the papers' formulas
+//!   as printed, deferred filtering from normals.
+//! - [`shade`] puts it together for a renderer that wants one call per light.
+//!
+//! # Notation
+//!
+//! | Here | Means | Unit, range |
+//! |---|---|---|
+//! | `wo`, `wi` | directions to viewer and light, from the surface | unit, tangent frame, normal +z |
+//! | `h`, `m` | half vector, any normal | unit or not, as said |
+//! | slope $s$ | $(-m_x/m_z, -m_y/m_z)$ | the plane; Kaplanyan and Tokuyoshi use $-s$ |
+//! | `alpha` | roughness along an axis; 0 is a mirror | slope, \[0, 1e9\] |
+//! | $A$ | roughness matrix, $\mathrm{diag}(\alpha_x^2, \alpha_y^2)$ along its axes | slope squared |
+//! | $\Sigma$, `sigma` | slope covariance $A/2$ (Beckmann), deviation | slope squared, slope |
+//! | $\mu$, `mean` | mean slope | slope |
+//! | $q$ | $(s - \mu)^T A^{-1} (s - \mu)$ | 1 |
+//! | $P_{22}$, `slope_pdf` | density of slopes | 1 / slope squared |
+//! | $D$, `d` | density of normals, $P_{22}/m_z^4$ | 1 / solid angle |
+//! | $\sigma(w)$, `projected_area` | area of the microsurface seen from $w$ | area |
+//! | $c(w)$ | $w_z - \mu \cdot w_{xy}$, area of the mean plane seen from $w$ | area |
+//! | $\Lambda$, `lambda` | $\sigma/c - 1$ (Smith) | 1 |
+//! | `u`, `v` | derivatives of the slope, a footprint's sides | slope / pixel |
+//!
+//! Angles are radians, counter-clockwise. Matrices are rows first. Directions and slopes enter as `impl
+//! Into<[R; 3]>` and `impl Into<[R; 2]>`: arrays, and the vectors of glam, nalgebra, mint and others.
+//!
+//! # Precision
+//!
+//! Every function is written once for `f32` and `f64` ([`Real`]). Constructors refuse what they cannot serve;
+//! evaluation is total: for finite input in the documented domain it never returns NaN, infinity or a negative
+//! number. For alpha from 1e-4 to 30, correlations up to 0.9999, slopes to 1e3 and footprints from 1e-5 to 1e2,
+//! relative errors are held to:
+//!
+//! | | f32 | f64 |
+//! |---|---|---|
+//! | GGX density, area, BRDF | 3e-5 | 1e-12 |
+//! | Beckmann density, area, BRDF | 2e-4 | 1e-12 |
+//! | means over polygons, lobe within ten alphas | 1e-5 | 1e-9 |
+//! | means over polygons anywhere | 1e-3 | 1e-9 |
+//!
+//! by tables from arbitrary precision, by property tests and by fuzzing; `cargo run --release --example validate`
+//! prints what is measured.
+//!
+//! # Features
+//!
+//! | Feature | |
+//! |---|---|
+//! | `std` (default) | square root, sine and cosine from the standard library |
+//! | `libm` | the same from `libm`, for `no_std` |
+//! | `glam` | `From` and `TryFrom` between [`Psd`] and `glam::Mat2`, `glam::DMat2` |
+//!
+//! # What it is not
+//!
+//! No sampling, no multiple scattering, no colour, no lights, no textures, and no filter chosen for you: which
+//! one a scene wants depends on what it may cost, and the report (`cargo run --release -p lobe-report`) says
+//! what each costs and how wrong it is.
+#![forbid(unsafe_code)]
 #![no_std]
 #[cfg(feature = "std")]
 extern crate std;
@@ -19,3 +116,8 @@ pub use slope::{
     Alphas, AxisAligned, Footprint, Full, Isotropic, Lobe, Path, Roughness, Shape, SlopeMoments,
     Tilted, Vertex,
 };
+
+/// The README's example is a test like any other.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

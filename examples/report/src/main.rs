@@ -67,7 +67,10 @@ fn run(options: &Options) -> Result<(), Mistake> {
         report.studies.push(study);
     }
     bar.finish_and_clear();
-    let path = output.write(&report.html(&methods))?;
+    if let Some(cover) = report.cover() {
+        output.write(output::COVER, &cover)?;
+    }
+    let path = output.write(output::PAGE, report.html(&methods).as_bytes())?;
     print(&format!("{}Page: {}\n", report.summary_text(), path.display()));
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! The page's file: checked before the work, written whole or not at all.
+//! The page's files: checked before the work, each written whole or not at all.
 
 use std::fs;
 use std::io;
@@ -12,7 +12,10 @@ pub(crate) struct Output {
 }
 
 /// Name of the page.
-const PAGE: &str = "index.html";
+pub(crate) const PAGE: &str = "index.html";
+
+/// Name of the picture: the first scene unfiltered, filtered, and as it should be.
+pub(crate) const COVER: &str = "cover.png";
 
 impl Output {
     /// Makes the folder and proves that a file can be written there.
@@ -22,21 +25,23 @@ impl Output {
             Mistake(format!("--out '{}': cannot be written to ({error})", folder.display()))
         };
         fs::create_dir_all(folder).map_err(|error| refused(&error))?;
-        if output.page().is_dir() {
-            return Err(refused(&format!("{PAGE} is a folder there")));
+        for name in [PAGE, COVER] {
+            if folder.join(name).is_dir() {
+                return Err(refused(&format!("{name} is a folder there")));
+            }
         }
-        let trial = output.unfinished();
+        let trial = output.unfinished(PAGE);
         fs::write(&trial, "").and_then(|()| fs::remove_file(&trial)).map_err(|e| refused(&e))?;
         Ok(output)
     }
 
-    /// Writes the page under another name, then renames it: a reader sees the old page or the new one.
-    pub(crate) fn write(&self, html: &str) -> Result<PathBuf, Mistake> {
-        let unfinished = self.unfinished();
+    /// Writes a file under another name, then renames it: a reader sees the old one or the new one.
+    pub(crate) fn write(&self, name: &str, content: &[u8]) -> Result<PathBuf, Mistake> {
+        let (unfinished, finished) = (self.unfinished(name), self.folder.join(name));
         let written: io::Result<()> =
-            fs::write(&unfinished, html).and_then(|()| fs::rename(&unfinished, self.page()));
+            fs::write(&unfinished, content).and_then(|()| fs::rename(&unfinished, &finished));
         match written {
-            Ok(()) => Ok(self.page()),
+            Ok(()) => Ok(finished),
             Err(error) => {
                 // Whether or not this succeeds, the first error is the one to report.
                 let _ = fs::remove_file(&unfinished);
@@ -45,12 +50,8 @@ impl Output {
         }
     }
 
-    fn page(&self) -> PathBuf {
-        self.folder.join(PAGE)
-    }
-
     /// A name that no other run uses at the same time.
-    fn unfinished(&self) -> PathBuf {
-        self.folder.join(format!(".{PAGE}.{}", std::process::id()))
+    fn unfinished(&self, name: &str) -> PathBuf {
+        self.folder.join(format!(".{name}.{}", std::process::id()))
     }
 }

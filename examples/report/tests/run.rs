@@ -16,8 +16,10 @@ fn run(name: &str, arguments: &[&str]) -> (String, String) {
     let errors = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success(), "{errors}");
     assert!(errors.is_empty(), "no progress bar without a terminal: {errors}");
-    let files: Vec<_> = fs::read_dir(&folder).unwrap().map(|f| f.unwrap().file_name()).collect();
-    assert_eq!(files, ["index.html"], "one file, nothing unfinished");
+    let mut files: Vec<_> =
+        fs::read_dir(&folder).unwrap().map(|f| f.unwrap().file_name()).collect();
+    files.sort();
+    assert_eq!(files, ["cover.png", "index.html"], "two files, nothing unfinished");
     (
         String::from_utf8(output.stdout).unwrap(),
         fs::read_to_string(folder.join("index.html")).unwrap(),

@@ -2,6 +2,8 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
+use lobe::material::Fresnel;
+use lobe::shade::Material;
 use lobe::{
     Beckmann, Error, Footprint, Ggx, Isotropic, Kernel, Lobe, PixelFilter, Roughness, filter,
 };
@@ -11,7 +13,7 @@ fn panic(_: &core::panic::PanicInfo) -> ! {
     loop {}
 }
 
-/// One path through every floor: constructors, filters, densities, masking.
+/// One path through every floor: constructors, filters, densities, masking, the facade.
 fn shade(alpha: f32, angle: f32) -> Result<f32, Error> {
     let footprint = Footprint::from_slopes([0.1, 0.02], [-0.03, 0.05]);
     let kernel = Kernel::of(&footprint, PixelFilter::KAPLANYAN).capped(0.18);
@@ -22,7 +24,9 @@ fn shade(alpha: f32, angle: f32) -> Result<f32, Error> {
     let exact = ggx.parallelogram_mean([0.2, 0.1], &footprint)
         + filter::ggx_gaussian_mean(&lobe, [0.2, 0.1], &kernel)
         + filter::beckmann_rectangle_mean([alpha, alpha], [0.1, 0.0], footprint.extents());
-    Ok(exact + ggx.brdf(wo, wi) + widened.brdf(wo, wi) + widened.lambda_walter(wo))
+    let gold = Material::ggx(lobe, Fresnel::schlick([1.0, 0.8, 0.3])?).bake(&kernel);
+    let [red, ..] = gold.evaluate(wo, wi);
+    Ok(exact + red + ggx.brdf(wo, wi) + widened.brdf(wo, wi) + widened.lambda_walter(wo))
 }
 
 /// The entry point; `extern "C"` and without generics, so that all of the above is compiled.

@@ -46,6 +46,11 @@ impl Report {
         format!("\n{}{}\n", table.text(), self.conditions())
     }
 
+    /// The first scene without a filter, with the best one, and its reference, as a PNG file.
+    pub(crate) fn cover(&self) -> Option<Vec<u8>> {
+        section::cover(self.studies.first()?)
+    }
+
     /// The page.
     pub(crate) fn html(&self, methods: &[Method]) -> String {
         let sections: Vec<_> = self.studies.iter().map(section::html).collect();

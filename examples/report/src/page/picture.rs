@@ -42,17 +42,45 @@ impl Tone {
 
     /// A grey picture as `data:image/png;base64,...`.
     pub(super) fn data_url(self, size: Size, values: &[f64]) -> String {
-        let grey: Vec<u8> = values.iter().map(|&x| self.byte(x)).collect();
-        let mut file = Vec::new();
-        let mut encoder = png::Encoder::new(&mut file, extent(size.width), extent(size.height));
-        encoder.set_color(png::ColorType::Grayscale);
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_compression(png::Compression::High);
-        // Into memory, with as many bytes as the header says: nothing here can fail.
-        let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(&grey));
-        debug_assert!(written.is_ok());
-        format!("data:image/png;base64,{}", STANDARD.encode(file))
+        format!("data:image/png;base64,{}", STANDARD.encode(self.file(size, values)))
     }
+
+    /// A grey picture as a PNG file.
+    fn file(self, size: Size, values: &[f64]) -> Vec<u8> {
+        let grey: Vec<u8> = values.iter().map(|&x| self.byte(x)).collect();
+        encode(size.width, size.height, &grey)
+    }
+
+    /// Pictures of one size side by side, with a white gap, as a PNG file.
+    pub(super) fn strip(self, size: Size, pictures: &[&[f64]]) -> Vec<u8> {
+        let mut grey = Vec::new();
+        for row in 0..size.height {
+            for (n, picture) in pictures.iter().enumerate() {
+                if n > 0 {
+                    grey.extend([255; GAP]);
+                }
+                let pixels = &picture[row * size.width..][..size.width];
+                grey.extend(pixels.iter().map(|&x| self.byte(x)));
+            }
+        }
+        encode(pictures.len() * (size.width + GAP) - GAP, size.height, &grey)
+    }
+}
+
+/// White pixels between the pictures of a strip.
+const GAP: usize = 8;
+
+/// An 8-bit grey PNG file.
+fn encode(width: usize, height: usize, grey: &[u8]) -> Vec<u8> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, extent(width), extent(height));
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::High);
+    // Into memory, with as many bytes as the header says: nothing here can fail.
+    let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(grey));
+    debug_assert!(written.is_ok());
+    file
 }
 
 /// A side of a picture; at most 4096 by the command line's check.
@@ -74,6 +102,18 @@ mod tests {
         // 0.8 in linear light is 231 in sRGB.
         assert_eq!(tone.byte(990.0), 231);
         assert!(Tone::of(&[0.0; 4]).byte(1.0) > 200);
+    }
+
+    #[test]
+    fn a_strip_is_its_pictures_and_the_gaps() {
+        let size = Size { width: 3, height: 2 };
+        let (dark, bright) = ([0.0; 6], [1e9; 6]);
+        let file = Tone::of(&[1.0]).strip(size, &[&dark, &bright]);
+        let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        let row = [[0; 3].as_slice(), &[255; super::GAP], &[255; 3]].concat();
+        assert_eq!(pixels, [row.clone(), row].concat());
     }
 
     #[test]

@@ -141,6 +141,17 @@ fn warnings(panel: &Panel) -> Vec<String> {
     unsure.into_iter().chain(worse).collect()
 }
 
+/// Unfiltered, best and reference of the first distribution side by side, as a PNG file.
+pub(super) fn cover(study: &Study) -> Option<Vec<u8>> {
+    let panel = study.panels.first()?;
+    let scaled = |picture: &[f32]| -> Vec<f64> {
+        picture.iter().map(|&x| f64::from(x) * panel.scale).collect()
+    };
+    let (plain, best) = (scaled(&panel.plain()?.picture), scaled(&panel.best()?.picture));
+    let reference: Vec<_> = panel.reference.iter().map(|r| r * panel.scale).collect();
+    Some(Tone::of(&reference).strip(study.size, &[&plain, &best, &reference]))
+}
+
 /// Unfiltered, best, reference and the difference of the last two.
 fn pictures(study: &Study, panel: &Panel) -> String {
     let (Some(plain), Some(best)) = (panel.plain(), panel.best()) else { return String::new() };
