@@ -8,8 +8,8 @@ use common::{ULP, check, near, near_all};
 use core::f64::consts::{FRAC_PI_2, PI};
 use lobe::filter::tokuyoshi_deferred_alpha;
 use lobe::{
-    AxisAligned, Error, Footprint, Full, Isotropic, Lobe, PixelFilter, Psd, Roughness, Shape,
-    SlopeMoments, Tilted, Vertex,
+    AxisAligned, Error, Footprint, Full, Ggx, Isotropic, Lobe, PixelFilter, Psd, Real, Roughness,
+    Shape, SlopeMoments, Tilted, Vertex,
 };
 use nalgebra::Matrix2;
 
@@ -93,6 +93,44 @@ fn every_error_is_reached_and_names_its_parameter() {
         refused(Footprint::from_half_vectors(up, below, up), Error::HalfVector, "half vector");
         refused(Footprint::from_half_vectors(up, up, below), Error::HalfVector, "half vector");
     }
+}
+
+/// Fourth powers of what is accepted are still f32; beyond, nothing is promised and nothing accepted.
+#[test]
+fn magnitudes_end_at_a_billion() {
+    fn ends<R: Real>() {
+        let (largest, beyond) = (R::lit(1e9), R::lit(1.1e9));
+        let rho = R::HALF;
+        assert!(Roughness::from_alphas(largest, largest, R::ONE).is_ok());
+        assert!(Roughness::from_sigma_rho(largest, largest, rho).is_ok());
+        let slope = [largest, -largest];
+        let moments = SlopeMoments::of_slope(slope).expect("a slope");
+        let roughness = Roughness::from_alpha(largest).expect("an alpha");
+        let lobe = Lobe::new(slope, roughness).expect("a lobe");
+        let opposite = SlopeMoments::of_slope([-largest, largest]).expect("a slope");
+        let merged = moments.merged(R::ONE, &opposite, R::ONE).expect("weights");
+        let [up, down] = [[R::ZERO, R::ZERO, R::ONE], [R::HALF, R::HALF, -R::HALF]];
+        for shape in [lobe.shape(), merged.lobe(roughness).shape()] {
+            let ggx = Ggx::new(shape);
+            let all = [ggx.brdf(up, up), ggx.d(up), ggx.projected_area(down), ggx.slope_pdf(slope)];
+            assert!(all.iter().all(|x| *x >= R::ZERO && x.is_finite()), "{all:?}");
+        }
+        assert_eq!(Roughness::from_alpha(beyond).err(), Some(Error::Alpha));
+        assert_eq!(Isotropic::new(beyond).err(), Some(Error::Alpha));
+        assert_eq!(AxisAligned::new(beyond, R::ONE).err(), Some(Error::AlphaX));
+        assert_eq!(AxisAligned::new(R::ONE, beyond).err(), Some(Error::AlphaY));
+        assert_eq!(Roughness::from_sigma_rho(beyond, R::ONE, rho).err(), Some(Error::SigmaX));
+        assert_eq!(Roughness::from_sigma_rho(R::ONE, beyond, rho).err(), Some(Error::SigmaY));
+        assert_eq!(Lobe::new([beyond, R::ZERO], roughness).err(), Some(Error::Mean));
+        assert_eq!(SlopeMoments::of_slope([R::ZERO, -beyond]).err(), Some(Error::Mean));
+        let entry = beyond * beyond;
+        assert_eq!(Psd::new(entry, R::ZERO, entry).err(), Some(Error::MatrixEntry));
+        let raw = SlopeMoments::from_raw([R::ZERO; 2], [entry, R::ZERO, entry]);
+        assert_eq!(raw.err(), Some(Error::MatrixEntry));
+    }
+    ends::<f32>();
+    ends::<f64>();
+    assert_eq!(PixelFilter::with_variance(2e9), Err(Error::Variance));
 }
 
 #[test]

@@ -4,11 +4,16 @@
 //! its mass over a polygon is Lambert's formula in another guise: GGX is a linearly transformed cosine.
 //! This settles what Kaplanyan et al. 2016 leave open in section 5.3. One formula does not serve every
 //! footprint in floating point; the size of the parallelogram against its distance from the lobe decides
-//! among three that agree where they meet:
+//! among some that agree where they meet:
 //!
 //! - small: tensor Gauss-Legendre, no transcendental function;
-//! - thin: exact means along the long side, Gauss-Legendre across (strip.rs; thin.rs where sheared);
-//! - otherwise: the sum over the four edges (edges.rs).
+//! - thick, and around or beside the lobe: the sum over the four edges, straight from the corners (edges.rs);
+//! - narrow: exact means along the long side, Gauss-Legendre across (strip.rs);
+//! - thin though sheared: the same for its pieces (thin.rs);
+//! - otherwise: the edges again, far ones without the turns that they add up to (edges.rs).
+//!
+//! Of a footprint that is long against its distance, whitened coordinates have lost the digits that matter: its
+//! corners then come from slope space, with compensated sums (frame.rs).
 
 use super::frame::Frame;
 use super::strip::{Strip, Whitened};
@@ -65,7 +70,7 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// The mass over a polygon is, whitened ($w = L^{-1}(s - \mu)$), a sum over its edges:
     /// $\frac{1}{2\pi} \sum \frac{d}{\sqrt q} \mathrm{atan2}(\ell \sqrt q, q + t_0 t_1)$, $d$ the signed
     /// distance of the edge's line, $q = 1 + d^2$. A zero footprint gives $P_{22}$ itself, a segment the
-    /// mean along it. Error, relative: f32 below 1e-5 near the lobe and 1e-3 anywhere; f64 below 1e-9.
+    /// mean along it. Error, relative: f32 below 1e-5 within ten alphas of the lobe and 1e-3 anywhere; f64 below 1e-9.
     /// Divide by $h_z^4$ for the filtered D ([`Ndf::brdf_over`] does). For a mirror the mean is 0: widen
     /// it first.
     ///
