@@ -47,20 +47,47 @@ fn sources() -> Vec<(String, String)> {
     rust_files(&src).into_iter().map(read).collect()
 }
 
-/// The first segments after `crate::` in a line of code, braces included: `crate::{a::x, b}` gives a, b.
-fn imports(line: &str) -> Vec<String> {
-    let code = line.split("//").next().unwrap_or_default();
-    let mut found = Vec::new();
-    for rest in code.split("crate::").skip(1) {
-        let group = rest.strip_prefix('{').map(|list| list.trim_end_matches(['}', ';']));
-        let paths: Vec<&str> = group.map_or(vec![rest], |list| list.split(',').collect());
-        for path in paths {
-            let name: String =
-                path.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
-            if !name.is_empty() {
-                found.push(name);
+/// The code of a file: comments blanked, lines kept.
+fn code(text: &str) -> String {
+    let lines = text.lines().map(|line| line.split("//").next().unwrap_or_default());
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// The name that a path begins with.
+fn first_name(path: &str) -> String {
+    path.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
+}
+
+/// The members of a group `{a::x, b::{y, z}}`, from after its opening brace.
+fn members(group: &str) -> Vec<&str> {
+    let (mut found, mut start, mut depth) = (Vec::new(), 0, 0);
+    for (at, c) in group.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' if depth > 0 => depth -= 1,
+            ',' if depth == 0 => {
+                found.push(&group[start..at]);
+                start = at + 1;
             }
+            '}' => {
+                found.push(&group[start..at]);
+                break;
+            }
+            _ => {}
         }
+    }
+    found
+}
+
+/// Line and first segment of every path after `crate::`: `crate::{a::x, b}` gives a and b.
+fn imports(text: &str) -> Vec<(usize, String)> {
+    let code = code(text);
+    let mut found = Vec::new();
+    for (at, _) in code.match_indices("crate::") {
+        let (line, rest) = (code[..at].matches('\n').count() + 1, &code[at + "crate::".len()..]);
+        let paths = rest.strip_prefix('{').map_or(vec![rest], members);
+        let names = paths.into_iter().map(first_name).filter(|name| !name.is_empty());
+        found.extend(names.map(|name| (line, name)));
     }
     found
 }
@@ -75,18 +102,16 @@ fn complaints(file: &str, text: &str) -> Vec<String> {
         return vec![format!("src/{file}: `{home}` has no floor; give it one in tests/floors.rs")];
     };
     let mut found = Vec::new();
-    for (number, line) in text.lines().enumerate() {
-        for name in imports(line) {
-            let place = format!("src/{file}:{}", number + 1);
-            match floor_of(&name) {
-                None => found.push(format!(
-                    "{place}: `crate::{name}` is no floor; import from the module that defines it"
-                )),
-                Some(other) if other > floor => found.push(format!(
-                    "{place}: floor {floor} ({home}) imports from floor {other} ({name})"
-                )),
-                Some(_) => {}
-            }
+    for (line, name) in imports(text) {
+        let place = format!("src/{file}:{line}");
+        match floor_of(&name) {
+            None => found.push(format!(
+                "{place}: `crate::{name}` is no floor; import from the module that defines it"
+            )),
+            Some(other) if other > floor => found.push(format!(
+                "{place}: floor {floor} ({home}) imports from floor {other} ({name})"
+            )),
+            Some(_) => {}
         }
     }
     found
@@ -115,6 +140,9 @@ fn the_floor_law_notices_a_climb() {
     let climbs = complaints("slope/lobe.rs", "use crate::filter::Kernel;\n");
     assert_eq!(climbs, ["src/slope/lobe.rs:1: floor 1 (slope) imports from floor 3 (filter)"]);
     assert_eq!(complaints("filter/a.rs", "use crate::{scalar::Real, shade};\n").len(), 1);
+    let lines =
+        "use crate::{\n    scalar::{Psd, Real}, // crate::shade\n    shade::Material,\n};\n";
+    assert_eq!(complaints("filter/a.rs", lines).len(), 1);
     assert_eq!(complaints("ndf/a.rs", "    x: crate::Kernel,\n").len(), 1);
     assert_eq!(complaints("attic/a.rs", "").len(), 1);
     assert!(complaints("filter/a.rs", "use crate::slope::Lobe; // not crate::shade\n").is_empty());

@@ -22,7 +22,7 @@ fn exp_minus_square<R: Real>(x: R, x_low: R) -> R {
 /// Mean of $e^{-t^2}/\sqrt\pi$ over `(slope +- width/2) / alpha`.
 ///
 /// Short intervals by Gauss-Legendre; long ones by a difference of erfc on the side where both are
-/// small, which then differ by more than a factor of e. The exponential is a factor of either.
+/// small, which then differ by more than a factor of 2. The exponential is a factor of either.
 fn gaussian_mean<R: Real>(slope: R, width: R, alpha: R) -> R {
     let (centre, centre_low) = divide(slope.abs(), alpha);
     let (half, half_low) = divide(R::HALF * width.abs(), alpha);

@@ -51,7 +51,7 @@ pub(super) fn around_the_lobe<R: Real>(
         let c = px[k] * dy - py[k] * dx;
         let e2 = dx * dx + dy * dy;
         let r = (e2 + c * c).sqrt();
-        terms[k] = c / r * r.atan2(R::ONE + px[k] * qx[k] + py[k] * qy[k]);
+        terms[k] = c / r * r.upper_angle(R::ONE + px[k] * qx[k] + py[k] * qy[k]);
         // Positive if the lobe lies inwards, deep enough.
         depth[k] = turn * c * c.abs() - depth2 * e2;
     }
@@ -149,7 +149,7 @@ pub(super) fn mass<R: Real>(p: &Frame<R>) -> R {
 fn near<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     let q = R::ONE + d * d;
     let s = q.sqrt();
-    d / s * (length * s).atan2(q + t0 * t1)
+    d / s * (length * s).upper_angle(q + t0 * t1)
 }
 
 /// An edge's term less the angle F that the edge subtends at the centre of the flat plane: both are of
@@ -164,7 +164,7 @@ fn far<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     let q = R::ONE + d * d;
     let s = q.sqrt();
     let delta = R::ONE / (s + depth);
-    let angle = (length * s).atan2(q + product);
+    let angle = (length * s).upper_angle(q + product);
     let y = length * delta * (product - s * depth);
     let x = (q + product) * (d * d + product) + length * length * s * depth;
     let term = y.atan2(x) - angle * delta / s;

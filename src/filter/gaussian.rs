@@ -56,7 +56,7 @@ impl<R: Real> Lobe<R> {
 /// $$\int_0^\infty e^{-t}\, \frac{e^{-d^T M^{-1} d}}{\pi \sqrt{\det M}}\, dt.$$
 /// Trapezoid rule in $x = \ln t$ with the determinant and adjugate form of M as sums of non-negative
 /// terms; the range follows the exponent, so that far tails are as exact as the peak. Error below
-/// 1e-5 (f32) and 1e-12 (f64), relative; 60 to 250 nodes: a reference, not a shading method. With a zero
+/// 1e-5 (f32) and 1e-12 (f64), relative; 50 to 350 nodes: a reference, not a shading method. With a zero
 /// kernel it is GGX itself; for a mirror it is the kernel's Gaussian; where the sum is singular, 0.
 ///
 /// Source: the mixture, d'Eon 2023 "Student-T and Beyond", Eq. 7, for two degrees of freedom.

@@ -66,8 +66,8 @@ pub struct Kernel<R> {
 impl<R: Real> Kernel<R> {
     /// The Gaussian kernel of a footprint under a pixel filter.
     ///
-    /// Footprints of grazing half vectors have no bound: where a deviation would exceed $10^9$ the footprint
-    /// is shrunk in proportion, as squares would overflow. That wide, no lobe has a density above 1e-18.
+    /// Footprints of grazing half vectors have no bound: one with a component beyond $10^9$ is shrunk in
+    /// proportion, as squares would overflow f32.
     #[inline]
     pub fn of(footprint: &Footprint<R>, filter: PixelFilter) -> Self {
         let Footprint { u, v } = *footprint;
@@ -103,8 +103,8 @@ impl<R: Real> Kernel<R> {
     /// negative limit counts as 0.
     ///
     /// Kaplanyan's code and Tokuyoshi 2017 limit it to 0.18 ([`Kernel::ALPHA_SQUARED_LIMIT`]) per
-    /// frame axis or as a scalar; limiting the eigenvalues is the same for those and does not depend on
-    /// the frame.
+    /// frame axis or as a scalar; limiting the eigenvalues is the same for a kernel along the frame's axes,
+    /// and does not depend on the frame.
     ///
     /// ```
     /// use lobe::{Footprint, Kernel, PixelFilter};

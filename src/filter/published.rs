@@ -1,8 +1,8 @@
 //! Formulas as their papers have them: to reproduce the papers, and to compare ours with.
 //!
 //! Floor 3. Kaplanyan et al. 2016, Appendix A: GGX over an axis-aligned rectangle, eight arctangents.
-//! Both forms cancel in f32 when the rectangle is small against alpha (1 % at a tenth of alpha, 4400 % at
-//! a thousandth) or far from the lobe; [`Ndf::rectangle_mean`](crate::Ndf::rectangle_mean) does not.
+//! Both forms cancel in f32 when the rectangle is small against alpha (at a thousandth of it they may be ten
+//! times too large within two alphas of the peak, and worse beyond) or far from the lobe; [`Ndf::rectangle_mean`](crate::Ndf::rectangle_mean) does not.
 
 use crate::scalar::Real;
 
@@ -53,8 +53,9 @@ pub fn kaplanyan_rectangle_mean<R: Real>(
 
 /// The same as printed: corners `slope -+ widths` under the prefactor of half that reach.
 ///
-/// 4 times too large for a lobe inside the rectangle, or for a rectangle small against alpha. Kept to
-/// reproduce the paper, and to recognise code copied from it.
+/// That is 4 times the mean over a rectangle of twice the widths: 4 times too large where the rectangle is
+/// small against alpha, right where it holds the whole lobe. Kept to reproduce the paper, and to recognise
+/// code copied from it.
 ///
 /// ```
 /// use lobe::filter::{kaplanyan_rectangle_mean, kaplanyan_rectangle_mean_as_printed};

@@ -49,7 +49,7 @@ pub(super) fn near_mean<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     let s = q.sqrt();
     let (product, run) = (t0 * t1, length * s);
     let ends = (q + t0 * t0) * (q + t1 * t1);
-    let sum = run * (q - product) + ends * run.atan2(q + product);
+    let sum = run * (q - product) + ends * run.upper_angle(q + product);
     (sum / (R::TWO * R::PI * q * run * ends)).max(R::ZERO)
 }
 
@@ -61,7 +61,7 @@ pub(super) fn near_apex_mean<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     let q = R::ONE + d * d;
     let s = q.sqrt();
     let (run, end) = (length * s, q + t1 * t1);
-    let sum = run * t1 - t0 * end * run.atan2(q + t0 * t1);
+    let sum = run * t1 - t0 * end * run.upper_angle(q + t0 * t1);
     (sum / (R::PI * q * s * end * (length * length))).max(R::ZERO)
 }
 

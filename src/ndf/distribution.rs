@@ -112,8 +112,8 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
     ///
     /// $h$ is the half vector of the unit directions `wo` and `wi`, $c$ the projected area of the mean
     /// plane (meso normalisation, LEADR; for centred lobes $c = w_z$), $G_2$ height-correlated. Multiply
-    /// by Fresnel and by $c_i$ to shade. The sum $w_o + w_i$ is carried to twice the precision where
-    /// the mean is not 0. 0 if $c_o \le 0$, $c_i \le 0$ or $h$ is below the horizon; at most the largest
+    /// by Fresnel and by $c_i$ to shade. The sum $w_o + w_i$ is carried to twice the precision for
+    /// the shapes that need it. 0 if $c_o \le 0$, $c_i \le 0$ or $h$ is below the horizon; at most the largest
     /// finite number.
     ///
     /// ```

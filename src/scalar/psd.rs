@@ -1,6 +1,6 @@
 //! Symmetric positive semi-definite 2x2 matrices that carry the root of their determinant.
 //!
-//! Floor 0. A covariance near rank one loses its determinant in its entries: alpha = 0.001 under a
+//! Floor 0. A covariance near rank one loses its determinant in its entries: alpha = 1e-4 under a
 //! kernel of size 1 leaves nothing of the minor axis in f32. Every operation here that knows the
 //! determinant better than the rounded entries do (axes, outer products, sums) carries it along.
 

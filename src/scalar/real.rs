@@ -15,7 +15,8 @@ mod sealed {
 /// A floating-point precision: `f32` for engines, `f64` for offline renderers and as reference.
 ///
 /// Every function of the crate is written once over this trait. Elementary functions are our own
-/// polynomials with stated errors, so their bits do not depend on the platform.
+/// polynomials with stated errors, so their bits do not depend on the platform; sine and cosine, which only
+/// constructors call, come from std or libm.
 ///
 /// ```
 /// use lobe::Real;
@@ -98,11 +99,11 @@ pub trait Real:
     }
     /// Sine and cosine (for constructors: computed in f64, then rounded).
     fn sin_cos(self) -> (Self, Self);
-    /// $e^x$; 0 below the normal range, infinity above the largest number.
+    /// $e^x$; 0 below the smallest number, infinity above the largest.
     fn exp(self) -> Self;
-    /// Arctangent in $(-\pi/2, \pi/2)$.
+    /// Arctangent in $[-\pi/2, \pi/2]$.
     fn atan(self) -> Self;
-    /// Angle of the point (`x`, `self`) in $(-\pi, \pi]$; 0 at the origin.
+    /// Angle of the point (`x`, `self`) in $[-\pi, \pi]$; 0 at the origin.
     fn atan2(self, x: Self) -> Self;
     /// Complementary error function $2/\sqrt\pi \int_x^\infty e^{-t^2} dt$.
     fn erfc(self) -> Self;
@@ -111,6 +112,9 @@ pub trait Real:
     /// Scaled first integral of erfc, $1/\sqrt\pi - x\,\mathrm{erfcx}(x)$, for $x \ge 0$, without
     /// the cancellation of that difference.
     fn ierfcx(self) -> Self;
+    /// The angle of [`Real::atan2`] for `self >= 0`, not both 0, in $[0, \pi]$.
+    #[doc(hidden)]
+    fn upper_angle(self, x: Self) -> Self;
     /// $\arctan x - x/(1 + x^2)$ on \[0, 1\], without the cancellation of that difference.
     #[doc(hidden)]
     fn atan_excess(self) -> Self;
@@ -122,7 +126,7 @@ pub trait Real:
 
 macro_rules! impl_real {
     ($t:ident, $single:literal, $mask:literal, $sqrt:ident, $exp:ident, $atan:ident, $atan2:ident,
-     $atan_excess:ident, $erfc:ident, $erfcx:ident, $ierfcx:ident) => {
+     $upper_angle:ident, $atan_excess:ident, $erfc:ident, $erfcx:ident, $ierfcx:ident) => {
         impl Real for $t {
             const ZERO: Self = 0.0;
             const HALF: Self = 0.5;
@@ -169,6 +173,10 @@ macro_rules! impl_real {
                 atan::$atan2(self, x)
             }
             #[inline(always)]
+            fn upper_angle(self, x: Self) -> Self {
+                atan::$upper_angle(self, x)
+            }
+            #[inline(always)]
             fn atan_excess(self) -> Self {
                 atan::$atan_excess(self)
             }
@@ -200,6 +208,7 @@ impl_real!(
     exp_f32,
     atan_f32,
     atan2_f32,
+    upper_angle_f32,
     atan_excess_f32,
     erfc_f32,
     erfcx_f32,
@@ -213,6 +222,7 @@ impl_real!(
     exp_f64,
     atan_f64,
     atan2_f64,
+    upper_angle_f64,
     atan_excess_f64,
     erfc_f64,
     erfcx_f64,

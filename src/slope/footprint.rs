@@ -11,7 +11,7 @@ use crate::scalar::exact::cross;
 /// How the half vector's slope changes over one pixel to the right (`u`) and one up (`v`).
 ///
 /// The parallelogram is centre +- u/2 +- v/2. Signs and order do not matter to any filter, and a
-/// slope of either sign convention gives the same footprint. No constructor clamps.
+/// slope of either sign convention gives the same footprint. No constructor limits its size.
 ///
 /// ```
 /// use lobe::Footprint;

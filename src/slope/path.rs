@@ -50,7 +50,7 @@ impl<R: Real> Vertex<R> {
     /// A vertex infinitely far away in `direction`, which need not have unit length.
     ///
     /// # Errors
-    /// [`Error::Direction`] if the direction is zero or not finite.
+    /// [`Error::Direction`] if the direction is not finite, or so short that one over its length is not.
     pub fn distant(direction: impl Into<[R; 3]>) -> Result<Self, Error> {
         Ok(Self { inverse_distance: R::ZERO, ..Self::at(direction)? })
     }

@@ -1,8 +1,8 @@
 //! Roughness: the matrix A of a lobe, from any of the numbers users have for it.
 //!
 //! Floor 1. Four numbers get mixed up in practice: perceptual roughness r, alpha = r^2, alpha^2 (an
-//! entry of A) and slope variance sigma^2 = alpha^2 / 2 (Beckmann). Each has its own constructor, and
-//! `A = 2 Sigma` is written here and nowhere else.
+//! entry of A) and slope variance sigma^2 = alpha^2 / 2 (Beckmann). Each has its own constructor;
+//! `A = 2 Sigma` is what [`Roughness::from_covariance`] and [`Roughness::covariance`] are for.
 
 use super::jacobian::Matrix;
 use crate::error::Error;
@@ -16,7 +16,7 @@ use crate::scalar::{Psd, Real};
 ///
 /// alpha = 0 is a mirror along that axis: densities of a singular lobe are 0 everywhere (a delta has
 /// no density), its projected area, masking and Gaussian filtering are exact. The smallest alpha that
-/// is not a mirror is about 1e-11 in f32.
+/// is answered for, other than 0, is 1e-9.
 ///
 /// ```
 /// use lobe::Roughness;

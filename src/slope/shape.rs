@@ -2,8 +2,8 @@
 //!
 //! Floor 1. Whatever its anisotropy and tilt, a lobe meets its distribution in four numbers: the root
 //! of the determinant, the form n(m), the squared stretch a^2(w) and the mean projected area c(w).
-//! `Isotropic` answers with three multiplications, `Full` with compensated products; the compiler
-//! keeps only what the shape in use needs.
+//! `Isotropic` answers with plain products, `Full` with compensated ones; the compiler keeps only what the
+//! shape in use needs.
 
 use super::roughness::Roughness;
 use crate::error::Error;
