@@ -67,7 +67,14 @@ impl<R: Real> Frame<R> {
         footprint: &Footprint<R>,
     ) -> Self {
         let (zero, half) = (R::ZERO, R::HALF);
-        let swap = w.is_swapped();
+        // Sides that nearly agree are compared by their difference: rounded lengths may tell the wrong one.
+        let swap = if EXACT {
+            let (u, v) = (footprint.u, footprint.v);
+            let white = |w: [R; 2]| shape.whiten(w, [zero; 2]);
+            dot(white([u[0] + v[0], u[1] + v[1]]), white([v[0] - u[0], v[1] - u[1]])) > zero
+        } else {
+            w.is_swapped()
+        };
         let (a, b) = if swap { (footprint.v, footprint.u) } else { (footprint.u, footprint.v) };
         let (a_white, b_white) = if swap { (w.v, w.u) } else { (w.u, w.v) };
         let length = dot(a_white, a_white).sqrt();

@@ -146,10 +146,13 @@ impl<R: Real> Psd<R> {
         self.xx + self.yy
     }
 
-    /// True if no number of this precision divides by the determinant: a mirror along some axis.
+    /// True if the smaller eigenvalue is no number of this precision: a mirror along some axis.
     #[inline(always)]
     pub fn is_singular(&self) -> bool {
-        self.root_det.min(self.xx).min(self.yy) < R::MIN_POSITIVE
+        let minor = self.root_det * (self.root_det / self.trace());
+        let least = minor.min(self.xx).min(self.yy);
+        // Also true for the NaN of the zero matrix.
+        !(least >= R::MIN_POSITIVE)
     }
 
     /// The matrix times a non-negative factor.
@@ -188,7 +191,8 @@ impl<R: Real> Psd<R> {
         let least = R::MIN_POSITIVE;
         let (inverse, inverse_other) = (R::ONE / self.xx.max(least), R::ONE / other.xx.max(least));
         // Quotients first: squares of the smallest entries underflow in f32.
-        let squares = (u * inverse) * (u * inverse_other)
+        let quotient = |inverse: R| (u * inverse).abs().min(R::MAX);
+        let squares = quotient(inverse) * quotient(inverse_other)
             + other.xx * (self.root_det * (self.root_det * inverse))
             + self.xx * (other.root_det * (other.root_det * inverse_other));
         // One of the two is diag(0, yy): its xy is 0 and no term cancels.
@@ -225,6 +229,7 @@ impl<R: Real> Psd<R> {
     pub fn eigen(&self) -> Eigen<R> {
         let (major, axis) = principal(self.xx, self.xy, self.yy);
         let minor = if major > R::ZERO { self.root_det * (self.root_det / major) } else { R::ZERO };
+        let minor = minor.min(major);
         Eigen { major, minor, axis }
     }
 

@@ -143,8 +143,9 @@ impl<R: Real> Footprint<R> {
         if diameter <= limit {
             return *self;
         }
-        let factor = limit / diameter;
-        Self { u: self.u.map(|x| x * factor), v: self.v.map(|x| x * factor) }
+        // The quotient first: a tiny factor would have lost its digits.
+        let shrink = |x: R| x / diameter * limit;
+        Self { u: self.u.map(shrink), v: self.v.map(shrink) }
     }
 
     /// Area of the parallelogram, in squared slope units.

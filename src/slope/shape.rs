@@ -212,7 +212,7 @@ impl<R: Real> Full<R> {
             root_det,
             inverse_xx: if flat { zero } else { inverse },
             along,
-            across: xx / root_det.max(least),
+            across: (xx / root_det.max(least)).min(R::MAX),
             schur: if flat { yy } else { root_det * along },
         }
     }

@@ -14,7 +14,7 @@ pub(crate) struct Output {
 /// Name of the page.
 pub(crate) const PAGE: &str = "index.html";
 
-/// Name of the picture: the first scene unfiltered, filtered, and as it should be.
+/// Name of the picture: one scene unfiltered, filtered, and as it should be.
 pub(crate) const COVER: &str = "cover.png";
 
 impl Output {

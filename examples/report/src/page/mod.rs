@@ -46,9 +46,13 @@ impl Report {
         format!("\n{}{}\n", table.text(), self.conditions())
     }
 
-    /// The first scene without a filter, with the best one, and its reference, as a PNG file.
+    /// The scene that needs a filter most, without one, with the best, and as it should be: a PNG file.
     pub(crate) fn cover(&self) -> Option<Vec<u8>> {
-        section::cover(self.studies.first()?)
+        let error = |study: &&Study| {
+            study.panels.first().and_then(Panel::plain).map_or(0.0, |row| row.errors.rmse)
+        };
+        let worst = self.studies.iter().max_by(|a, b| error(a).total_cmp(&error(b)))?;
+        section::cover(worst)
     }
 
     /// The page.

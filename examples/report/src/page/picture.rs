@@ -51,19 +51,22 @@ impl Tone {
         encode(size.width, size.height, &grey)
     }
 
-    /// Pictures of one size side by side, with a white gap, as a PNG file.
+    /// The middles of pictures of one size side by side, with a white gap, as a PNG file: half their width
+    /// and height, every pixel as two by two.
     pub(super) fn strip(self, size: Size, pictures: &[&[f64]]) -> Vec<u8> {
+        let (width, height) = (size.width / 2, size.height / 2);
+        let corner = size.height / 4 * size.width + size.width / 4;
         let mut grey = Vec::new();
-        for row in 0..size.height {
+        for row in 0..2 * height {
             for (n, picture) in pictures.iter().enumerate() {
                 if n > 0 {
                     grey.extend([255; GAP]);
                 }
-                let pixels = &picture[row * size.width..][..size.width];
-                grey.extend(pixels.iter().map(|&x| self.byte(x)));
+                let pixels = &picture[corner + row / 2 * size.width..][..width];
+                grey.extend(pixels.iter().flat_map(|&x| [self.byte(x); 2]));
             }
         }
-        encode(pictures.len() * (size.width + GAP) - GAP, size.height, &grey)
+        encode(pictures.len() * (2 * width + GAP) - GAP, 2 * height, &grey)
     }
 }
 
@@ -105,15 +108,19 @@ mod tests {
     }
 
     #[test]
-    fn a_strip_is_its_pictures_and_the_gaps() {
-        let size = Size { width: 3, height: 2 };
-        let (dark, bright) = ([0.0; 6], [1e9; 6]);
+    fn a_strip_is_the_middle_of_its_pictures_and_the_gaps() {
+        let size = Size { width: 8, height: 4 };
+        // White in the middle of the second, black all around.
+        let (dark, mut bright) = ([0.0; 32], [0.0; 32]);
+        for row in [1, 2] {
+            bright[row * 8 + 2..row * 8 + 6].fill(1e9);
+        }
         let file = Tone::of(&[1.0]).strip(size, &[&dark, &bright]);
         let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
         reader.next_frame(&mut pixels).unwrap();
-        let row = [[0; 3].as_slice(), &[255; super::GAP], &[255; 3]].concat();
-        assert_eq!(pixels, [row.clone(), row].concat());
+        let row = [[0; 8].as_slice(), &[255; super::GAP], &[255; 8]].concat();
+        assert_eq!(pixels, row.repeat(4));
     }
 
     #[test]
