@@ -6,6 +6,21 @@ use super::frame::Frame;
 use super::strip::Whitened;
 use crate::scalar::Real;
 
+/// Squares of the largest distance of the centre and of the longest side, in lobes, at which corners in plain
+/// arithmetic keep five digits in f32.
+const CLOSE: f64 = 4.0 * 4.0;
+const SHORT: f64 = 32.0 * 32.0;
+
+/// Squares of least heights at which the terms, of order one, do not cancel below a hundredth: in lobes times
+/// $q^{3/2}$, as the density falls; in sides, for their rounding; or else half the distance.
+const TALL: f64 = 0.1 * 0.1;
+const TALL_FOR_SIDE: f64 = 0.0126 * 0.0126;
+const HALF_DISTANCE: f64 = 0.5 * 0.5;
+
+/// Square of the least distance of every edge, over the root of the longer side: the rounding of corners, side
+/// times epsilon, then moves a density below the cube of one over that distance.
+const DEEP: f64 = 0.1 * 0.1;
+
 /// Mean over a parallelogram around or beside the lobe, if it is one that its corners in plain arithmetic serve:
 /// the common case of a large footprint.
 ///
@@ -23,14 +38,15 @@ pub(super) fn around_the_lobe<R: Real>(
 ) -> Option<R> {
     let area = w.u[0] * w.v[1] - w.u[1] * w.v[0];
     let q = R::ONE + centre2;
-    let near = centre2 <= R::lit(16.0) && side2 <= R::lit(32.0 * 32.0);
+    let near = centre2 <= R::lit(CLOSE) && side2 <= R::lit(SHORT);
     // Squares of the least height, and of the least distance of the edges.
     let (height2, depth2) = if near {
-        let least = R::lit(0.01) * (q * q * q).max(R::lit(0.016) * side2);
-        (least.min(R::lit(0.25) * q), R::ZERO)
+        let tall = (R::lit(TALL) * q * q * q).max(R::lit(TALL_FOR_SIDE) * side2);
+        (tall.min(R::lit(HALF_DISTANCE) * q), R::ZERO)
     } else {
-        let depth2 = R::lit(0.1 * 0.1) * side2.sqrt();
-        (R::lit(4.0) * depth2, depth2)
+        // An edge on either side of the lobe.
+        let depth2 = R::lit(DEEP) * side2.sqrt();
+        (R::lit(2.0 * 2.0) * depth2, depth2)
     };
     if area * area < height2 * side2 {
         return None;

@@ -132,7 +132,6 @@ impl<R: Real> Frame<R> {
         let square = mirror * dot(axis, shape.whiten(rest, [zero; 2]));
         let (low_n, high_n) = (apart[0] * along, apart[2] * along);
         let n = half * (low_n + high_n);
-        let reach = [half * (length + shear), half * height];
         Self {
             length,
             shear,
@@ -146,7 +145,7 @@ impl<R: Real> Frame<R> {
             high_n,
             within_left: apart[3] * across,
             within_right: -apart[1] * across,
-            nearness: nearness([mirror * dot(axis, w.centre), n], reach),
+            nearness: nearness([t[0], t[2]], [low_n, high_n]),
         }
     }
 }

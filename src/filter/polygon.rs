@@ -114,19 +114,21 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
             mean
         } else {
             let strip = Strip::new(&whitened);
-            let long = !strip.keeps_digits();
-            if strip.is_narrow() {
-                if long {
-                    strip.sharpened(&whitened, shape, (offset, low), footprint).narrow_mean()
-                } else if S::Scalar::SINGLE {
-                    strip.mean(&GAUSS_FOUR)
+            let narrow = strip.is_narrow();
+            if !strip.keeps_digits() {
+                // What looks narrow from afar may not be.
+                let strip = strip.sharpened(&whitened, shape, (offset, low), footprint);
+                if narrow && strip.is_narrow() {
+                    strip.narrow_mean()
                 } else {
-                    strip.mean(&GAUSS_EIGHT)
+                    general_mean(&Frame::exact(&whitened, shape, offset, low, footprint))
                 }
-            } else if long {
-                general_mean(&Frame::exact(&whitened, shape, offset, low, footprint))
-            } else {
+            } else if !narrow {
                 general_mean(&Frame::plain(&whitened))
+            } else if S::Scalar::SINGLE {
+                strip.mean(&GAUSS_FOUR)
+            } else {
+                strip.mean(&GAUSS_EIGHT)
             }
         };
         mean / root_det

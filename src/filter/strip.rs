@@ -73,11 +73,11 @@ pub(super) struct Strip<R> {
     nearness: R,
 }
 
-/// One plus the squared distance of a rectangle from the origin.
+/// One plus the squared distance of the origin from the rectangle with these ends along and across.
 #[inline(always)]
-pub(super) fn nearness<R: Real>(centre: [R; 2], reach: [R; 2]) -> R {
-    let t = (centre[0].abs() - reach[0]).max(R::ZERO);
-    let n = (centre[1].abs() - reach[1]).max(R::ZERO);
+pub(super) fn nearness<R: Real>(along: [R; 2], across: [R; 2]) -> R {
+    let t = along[0].max(-along[1]).max(R::ZERO);
+    let n = across[0].max(-across[1]).max(R::ZERO);
     R::ONE + t * t + n * n
 }
 
@@ -99,9 +99,16 @@ impl<R: Real> Strip<R> {
         let closer = if start.abs() < end.abs() { first } else { last };
         let n = dot(turned, if start * end < R::ZERO { w.centre } else { closer });
         let (lean, rise) = (dot(axis, [bx, by]), dot(turned, [bx, by]));
-        let reach = [half * (length + lean.abs()), half * rise.abs()];
-        let nearness = nearness([half * (start + end), n], reach);
-        Self { start, end, n, axis, length, lean, rise, nearness }
+        let strip = Self { start, end, n, axis, length, lean, rise, nearness: R::ONE };
+        strip.placed()
+    }
+
+    /// With the nearness that follows from the rest.
+    #[inline(always)]
+    fn placed(self) -> Self {
+        let (slide, climb) = (R::HALF * self.lean.abs(), R::HALF * self.rise.abs());
+        let along = [self.start - slide, self.end + slide];
+        Self { nearness: nearness(along, [self.n - climb, self.n + climb]), ..self }
     }
 
     /// The same with ends and distance as exact as if each were the centre, from slope space: for a long strip.
@@ -127,7 +134,7 @@ impl<R: Real> Strip<R> {
         (self.start, self.end) = (end(-R::HALF), end(R::HALF));
         let low = a[0] * offset_low[1] - a[1] * offset_low[0];
         self.n = (cross(a, offset) + low) / (shape.root_det() * self.length);
-        self
+        self.placed()
     }
 
     /// True if no corner can lie much nearer to the lobe than the strip is long, so that the rounding of
