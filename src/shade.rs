@@ -114,7 +114,7 @@ impl<D: Distribution, R: Real> Shading<D, R> {
         let h = half_vector(wo, wi);
         let cos = wo[0] * h[0] + wo[1] * h[1] + wo[2] * h[2];
         let area = self.ndf.shape().mean_area(wi).max(R::ZERO);
-        self.fresnel.reflectance(cos).map(|f| (f * brdf).min(R::MAX) * area)
+        self.fresnel.reflectance(cos).map(|f| (f * brdf * area).min(R::MAX))
     }
 }
 

@@ -283,3 +283,50 @@ fn literals_round_trip() {
         ensure(f32::lit(x.to_f64()) == x, "f32 is exact in f64", &x)
     });
 }
+
+/// The BRDF over a footprint, which takes its slope from the directions: a tilted narrow lobe shows whether
+/// their sum and its quotient keep their digits.
+fn brdf_over_agrees(source: &mut Source) -> TestCaseResult {
+    let input = source.lobe();
+    let (single, double) = both(&input);
+    let footprint = source.footprint();
+    let narrow = Footprint { u: footprint.u.map(|x| x as f32), v: footprint.v.map(|x| x as f32) };
+    let wide = Footprint { u: narrow.u.map(f64::from), v: narrow.v.map(f64::from) };
+    let slope = source.slope_near(&input);
+    let m = [-slope[0], -slope[1], 1.0];
+    let [wo, _] = source.pair();
+    let twice = 2.0 * (wo[0] * m[0] + wo[1] * m[1] + wo[2]) / (m[0] * m[0] + m[1] * m[1] + 1.0);
+    let wi = [0, 1, 2].map(|k| (twice * m[k] - wo[k]) as f32);
+    let wo = wo.map(|x| x as f32);
+    let inputs = (single, wo, wi, narrow);
+    let (ggx, exact) = (Ggx::new(single.shape()), Ggx::new(double.shape()));
+    let (o, i) = (wo.map(f64::from), wi.map(f64::from));
+    let got = ggx.brdf_over(wo, wi, &narrow);
+    let half = [o[0] + i[0], o[1] + i[1], o[2] + i[2]];
+    let close =
+        half[2] > 1e-3 && gap(&double, [-half[0] / half[2], -half[1] / half[2]], &wide) <= 10.0;
+    let relative = if close { NEAR_BUDGET + GGX_BUDGET } else { FAR_BUDGET };
+    agrees(got, exact.brdf_over(o, i, &wide), relative, &inputs)?;
+    // A footprint without extent is no footprint.
+    let point = Footprint::rectangle([0.0, 0.0]);
+    agrees(ggx.brdf_over(wo, wi, &point), f64::from(ggx.brdf(wo, wi)), GGX_BUDGET, &inputs)
+}
+
+#[test]
+fn brdfs_over_footprints_agree() {
+    check(100_000, brdf_over_agrees);
+}
+
+/// What a breaker found: grazing half vectors and numbers that are none never make a firefly.
+#[test]
+fn brdfs_over_footprints_make_no_fireflies() {
+    let ggx = Ggx::new(lobe::Isotropic::new(0.01_f32).expect("an alpha"));
+    let point = Footprint::rectangle([0.0, 0.0]);
+    for e in [1e-12, 1e-10, 3e-10, 1e-9, 1e-8, 1e-3] {
+        let (wo, wi) = ([1.0, 0.0, e], [0.0, 1.0, e]);
+        let (got, want) = (ggx.brdf_over(wo, wi, &point), ggx.brdf(wo, wi));
+        assert!((got / want - 1.0).abs() < 1e-5, "{got} for {want} at {e}");
+    }
+    let bad = Footprint::from_slopes([f32::NAN, 0.0], [0.0, 0.0]);
+    assert_eq!(ggx.brdf_over([0.0, 0.0, 1.0], [0.6, 0.0, 0.8], &bad), 0.0);
+}

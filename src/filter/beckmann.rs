@@ -52,7 +52,7 @@ fn gaussian_mean<R: Real>(slope: R, width: R, alpha: R) -> R {
 ///
 /// $\prod_k \frac{1}{2 w_k} [\mathrm{erf}((s_k + w_k/2)/\alpha_k) - \mathrm{erf}((s_k -
 /// w_k/2)/\alpha_k)]$, without the cancellation of that difference. `alphas` along the axes of the
-/// rectangle, positive; 0 is a mirror: the mean is then 0. `widths` are full widths, 0 included. With the
+/// rectangle, positive; 0 is a mirror: the mean is then 0. `widths` are full widths, 0 included; their sign does not matter. With the
 /// Gaussian pixel kernel Beckmann has a closed form ([`Roughness::widened`](crate::Roughness::widened));
 /// this one is its box-pixel counterpart.
 ///
@@ -71,5 +71,6 @@ pub fn beckmann_rectangle_mean<R: Real>(
         return R::ZERO;
     }
     let along = |k: usize| gaussian_mean(slope[k], widths[k], alphas[k]) / alphas[k];
-    along(0) * along(1)
+    // `max` drops the NaN of an infinite width.
+    (along(0) * along(1)).max(R::ZERO).min(R::MAX)
 }

@@ -41,7 +41,8 @@ pub fn tokuyoshi_deferred_alpha<R: Real>(
     }
     let norm_squared = |d: [R; 3]| d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     let spread = norm_squared(dn_u.into()) + norm_squared(dn_v.into());
-    let added = (R::lit(2.0 * filter.variance()) * spread).min(limit);
+    // `max` drops NaN: derivatives without a number add nothing.
+    let added = (R::lit(2.0 * filter.variance()) * spread).max(R::ZERO).min(limit);
     let ceiling = alpha.max(R::ONE);
     Ok((alpha * alpha + added).sqrt().min(ceiling))
 }

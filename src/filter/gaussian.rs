@@ -3,6 +3,7 @@
 //! Floor 3.
 
 use super::kernel::Kernel;
+use crate::ndf::Ggx;
 use crate::scalar::Real;
 use crate::slope::{Full, Lobe, Roughness, Shape};
 
@@ -57,7 +58,9 @@ impl<R: Real> Lobe<R> {
 /// Trapezoid rule in $x = \ln t$ with the determinant and adjugate form of M as sums of non-negative
 /// terms; the range follows the exponent, so that far tails are as exact as the peak. Error below
 /// 1e-5 (f32) and 1e-12 (f64), relative; 50 to 350 nodes: a reference, not a shading method. With a zero
-/// kernel it is GGX itself; for a mirror it is the kernel's Gaussian; where the sum is singular, 0.
+/// kernel it is GGX itself; for a mirror it is the kernel's Gaussian; where the sum is singular, 0. For slopes
+/// to 1e3 and alphas to 30; where far beyond them the quadrature leaves the range of the precision, variance
+/// addition stands in.
 ///
 /// Source: the mixture, d'Eon 2023 "Student-T and Beyond", Eq. 7, for two degrees of freedom.
 ///
@@ -82,7 +85,8 @@ pub fn ggx_gaussian_mean<R: Real>(
         return R::ZERO;
     }
     // d^T adj(M) d = base_form / t + added_form; det M = base_det / t^2 + mixed / t + added_det.
-    let (d, d_low) = lobe.shape().offset(slope.into());
+    let slope = slope.into();
+    let (d, d_low) = lobe.shape().offset(slope);
     let m = [d[0], d[1], R::ZERO];
     let low = [d_low[0], d_low[1], R::ZERO];
     let adjugate_form = |matrix: &crate::scalar::Psd<R>| {
@@ -117,5 +121,6 @@ pub fn ggx_gaussian_mean<R: Real>(
         let det = (base_det / t + mixed) / t + added_det;
         sum = sum + t * (-t - exponent_at(t)).exp() / det.sqrt();
     }
-    sum * R::lit(step * core::f64::consts::FRAC_1_PI)
+    let mean = sum * R::lit(step * core::f64::consts::FRAC_1_PI);
+    if mean.is_finite() { mean } else { Ggx::new(lobe.widened(kernel).shape()).slope_pdf(slope) }
 }

@@ -70,7 +70,9 @@ impl<R: Real> Kernel<R> {
     /// proportion, as squares would overflow f32.
     #[inline]
     pub fn of(footprint: &Footprint<R>, filter: PixelFilter) -> Self {
-        let Footprint { u, v } = *footprint;
+        // Infinite components count as the largest, and so do those without a number.
+        let finite = |x: R| x.max(-R::MAX).min(R::MAX);
+        let (u, v) = (footprint.u.map(finite), footprint.v.map(finite));
         let largest = u[0].abs().max(u[1].abs()).max(v[0].abs().max(v[1].abs()));
         let limit = R::LARGEST / R::lit(filter.variance.max(1.0)).sqrt();
         // 1 for all but those footprints, without a branch.

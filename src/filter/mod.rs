@@ -10,7 +10,7 @@ mod frame;
 mod gaussian;
 mod kernel;
 mod polygon;
-mod published;
+pub mod published;
 mod segment;
 mod strip;
 mod thin;

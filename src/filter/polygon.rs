@@ -18,8 +18,9 @@
 use super::frame::Frame;
 use super::strip::{Strip, Whitened};
 use super::{edges, thin};
-use crate::ndf::{GgxDistribution, Ndf};
+use crate::ndf::{Distribution, GgxDistribution, Ndf};
 use crate::scalar::Real;
+use crate::scalar::exact::{two_product, two_sum};
 use crate::scalar::quadrature::{GAUSS_EIGHT, GAUSS_FOUR, GAUSS_TWO, Rule};
 use crate::slope::{Footprint, Shape};
 
@@ -91,12 +92,25 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         slope: impl Into<[S::Scalar; 2]>,
         footprint: &Footprint<S::Scalar>,
     ) -> S::Scalar {
+        self.mean_at(slope.into(), [S::Scalar::ZERO; 2], footprint)
+    }
+
+    /// The mean around `slope + slope_low`, an unevaluated sum.
+    fn mean_at(
+        &self,
+        slope: [S::Scalar; 2],
+        slope_low: [S::Scalar; 2],
+        footprint: &Footprint<S::Scalar>,
+    ) -> S::Scalar {
         let shape = self.shape();
         let root_det = shape.root_det();
         if !(root_det > S::Scalar::ZERO) {
             return S::Scalar::ZERO;
         }
-        let (offset, low) = shape.offset(slope.into());
+        let (offset, low) = shape.offset(slope);
+        let (x, y) =
+            (two_sum(offset[0], low[0] + slope_low[0]), two_sum(offset[1], low[1] + slope_low[1]));
+        let (offset, low) = ([x.0, y.0], [x.1, y.1]);
         let whitened = Whitened::new(shape, offset, low, footprint);
         let (centre2, side2) = (whitened.centre_squared(), whitened.longer_side_squared());
         // The distance to the footprint is at least two thirds of that to its centre, or does not matter.
@@ -158,7 +172,9 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// The BRDF with D averaged over a footprint around the half vector's slope; masking and shadowing
     /// unfiltered.
     ///
-    /// $\tilde D = \overline{P_{22}} / h_z^4$, then as [`Ndf::brdf`].
+    /// $\tilde D = \overline{P_{22}} / h_z^4$, then as [`Ndf::brdf`]; computed as that BRDF times
+    /// $\overline{P_{22}} / P_{22}$, which is 1 for a zero footprint. At half vectors so low that $P_{22}$ has
+    /// no normal number, the BRDF itself; 0 for a footprint with NaN.
     ///
     /// Source: Kaplanyan et al. 2016, Eq. 11 and section 4.4.
     ///
@@ -177,14 +193,23 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         footprint: &Footprint<S::Scalar>,
     ) -> S::Scalar {
         let (wo, wi) = (wo.into(), wi.into());
-        let g = [wo[0] + wi[0], wo[1] + wi[1], wo[2] + wi[2]];
-        if !(g[2] > S::Scalar::ZERO) {
-            return S::Scalar::ZERO;
-        }
-        let slope = [-g[0] / g[2], -g[1] / g[2]];
-        let secant2 = S::Scalar::ONE + slope[0] * slope[0] + slope[1] * slope[1];
-        let visibility = self.visibility(wo, wi);
-        let d = self.parallelogram_mean(slope, footprint) * (secant2 * secant2);
-        if visibility > S::Scalar::ZERO { (d * visibility).min(S::Scalar::MAX) } else { visibility }
+        let (zero, one) = (S::Scalar::ZERO, S::Scalar::ONE);
+        let brdf = self.brdf(wo, wi);
+        let (z, z_low) = two_sum(wo[2], wi[2]);
+        // The slope to twice the precision, as a narrow tilted lobe wants it.
+        let along = |k: usize| {
+            let (g, g_low) = two_sum(wo[k], wi[k]);
+            let slope = -g / z;
+            let (product, error) = two_product(slope, z);
+            (slope, (-(g + product) - error - g_low - slope * z_low) / z)
+        };
+        let ((x, x_low), (y, y_low)) = (along(0), along(1));
+        let form = self.shape().form([-x, -y, one], [-x_low, -y_low, zero]);
+        let pi_point = GgxDistribution::density(form, self.shape().root_det(), one, one, one);
+        let mean = self.mean_at([x, y], [x_low, y_low], footprint);
+        let filtered = brdf * (mean * S::Scalar::PI / pi_point);
+        // `max` drops NaN: of a NaN footprint, or of 0 times infinity.
+        let filtered = filtered.max(zero).min(S::Scalar::MAX);
+        if pi_point >= S::Scalar::MIN_POSITIVE { filtered } else { brdf }
     }
 }

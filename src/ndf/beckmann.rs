@@ -62,6 +62,7 @@ impl<S: Shape> Ndf<BeckmannDistribution, S> {
             return S::Scalar::ZERO;
         }
         let numerator = S::Scalar::ONE - S::Scalar::lit(1.259) * v + S::Scalar::lit(0.396) * v * v;
-        numerator / (S::Scalar::lit(3.535) * v + S::Scalar::lit(2.181) * v * v)
+        let lambda = numerator / (S::Scalar::lit(3.535) * v + S::Scalar::lit(2.181) * v * v);
+        lambda.min(S::Scalar::MAX)
     }
 }

@@ -84,7 +84,7 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
         let form = self.shape.form([-s[0], -s[1], one], [zero; 3]);
         let root_det = self.shape.root_det();
         let density = D::density(form, root_det, one, one, inverse_pi::<S::Scalar>());
-        if root_det > zero { density } else { zero }
+        density.max(zero).min(if root_det > zero { S::Scalar::MAX } else { zero })
     }
 
     /// Density of normals $D(m) = P_{22}(s(m)) / m_z^4$, per solid angle.
@@ -105,7 +105,7 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
         let form = self.shape.form(m, [zero; 3]);
         let root_det = self.shape.root_det();
         let density = D::density(form, root_det, m[2], one, inverse_pi::<S::Scalar>());
-        if m[2].min(root_det) > zero { density } else { zero }
+        density.max(zero).min(if m[2].min(root_det) > zero { S::Scalar::MAX } else { zero })
     }
 
     /// The BRDF without Fresnel, $D(h)\, G_2 / (4 c_o c_i)$, per solid angle.

@@ -67,7 +67,8 @@ impl<R: Real> Psd<R> {
 
     /// The nearest positive semi-definite matrix: negative eigenvalues become 0.
     ///
-    /// For covariances that storage has rounded; [`Psd::new`] refuses what this mends.
+    /// For covariances that storage has rounded; [`Psd::new`] refuses what this mends. Entries up to $10^{18}$;
+    /// NaN gives the zero matrix.
     ///
     /// ```
     /// let mended = lobe::Psd::nearest(1.0_f64, 2.0, 1.0); // eigenvalues 3 and -1
@@ -155,10 +156,11 @@ impl<R: Real> Psd<R> {
         !(least >= R::MIN_POSITIVE)
     }
 
-    /// The matrix times a non-negative factor.
+    /// The matrix times a factor; a negative one counts as 0.
     #[must_use]
     #[inline]
     pub fn scaled(&self, factor: R) -> Self {
+        let factor = factor.max(R::ZERO);
         Self {
             xx: self.xx * factor,
             xy: self.xy * factor,

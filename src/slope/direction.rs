@@ -19,15 +19,21 @@ pub fn half_vector<R: Real>(wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R;
     normalize([wo[0] + wi[0], wo[1] + wi[1], wo[2] + wi[2]])
 }
 
-/// `v` at unit length; the zero vector stays zero.
+/// `v` at unit length; a vector of length 0, of infinite length or of NaN gives the zero vector.
 ///
 /// ```
 /// assert_eq!(lobe::slope::direction::normalize([0.0_f64, 3.0, 4.0]), [0.0, 0.6, 0.8]);
 /// ```
 pub fn normalize<R: Real>(v: impl Into<[R; 3]>) -> [R; 3] {
     let v = v.into();
+    // Scaled by the largest component, as squares leave the range of f32 beyond 1e19 and 1e-19.
+    let largest = v[0].abs().max(v[1].abs()).max(v[2].abs());
+    if !(largest >= R::MIN_POSITIVE && largest <= R::MAX) {
+        return [R::ZERO; 3];
+    }
+    let v = v.map(|x| x / largest);
     let length = dot(v, v).sqrt();
-    if length > R::ZERO { v.map(|x| x / length) } else { [R::ZERO; 3] }
+    v.map(|x| x / length)
 }
 
 /// Dot product.

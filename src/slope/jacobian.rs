@@ -18,7 +18,7 @@ fn azimuth<R: Real>(h: [R; 3]) -> (R, R) {
 
 /// Derivative of the slope of `h` by the two great-circle angles.
 ///
-/// $J = -\frac{1}{h_z^2 S} \begin{pmatrix} h_x & -h_y h_z \\ h_y & h_x h_z \end{pmatrix}$,
+/// $J = -\frac{1}{h_z^2 S} \begin{pmatrix} h_x & -h_y h_z \\\\ h_y & h_x h_z \end{pmatrix}$,
 /// $S = \sqrt{h_x^2 + h_y^2}$, $\det J = 1/h_z^3$: errors on the sphere grow without bound in slope
 /// space as `h` nears the horizon. `h`: unit, `h_z > 0`.
 ///
@@ -38,7 +38,7 @@ pub fn sphere_to_slope<R: Real>(h: impl Into<[R; 3]>) -> Matrix<R> {
 
 /// Derivative of $(h_x, h_y)$ by the two great-circle angles.
 ///
-/// $J = \frac{1}{S} \begin{pmatrix} h_x h_z & -h_y \\ h_y h_z & h_x \end{pmatrix}$,
+/// $J = \frac{1}{S} \begin{pmatrix} h_x h_z & -h_y \\\\ h_y h_z & h_x \end{pmatrix}$,
 /// $\det J = h_z$: the projection shrinks errors near the horizon.
 ///
 /// Source: Tokuyoshi 2017, Eq. 8.
@@ -56,7 +56,7 @@ pub fn sphere_to_disk<R: Real>(h: impl Into<[R; 3]>) -> Matrix<R> {
 
 /// Derivative of the slope of `h` by $(h_x, h_y)$.
 ///
-/// $J = -\frac{1}{h_z^3} \begin{pmatrix} 1 - h_y^2 & h_x h_y \\ h_x h_y & 1 - h_x^2 \end{pmatrix}$,
+/// $J = -\frac{1}{h_z^3} \begin{pmatrix} 1 - h_y^2 & h_x h_y \\\\ h_x h_y & 1 - h_x^2 \end{pmatrix}$,
 /// $\det J = 1/h_z^4$. The diagonal is computed as $h_z^2 + h_x^2$ and $h_z^2 + h_y^2$.
 ///
 /// Source: Tokuyoshi 2017, Eq. 25.

@@ -147,7 +147,7 @@ impl<R: Real> Roughness<R> {
 
     /// Chermain's matrix M, which carries a reference lobe of deviation `sigma_o` to this one.
     ///
-    /// $M = \frac{1}{\sigma_o} \begin{pmatrix} \sigma_x \sqrt{1 - \rho^2} & \rho \sigma_x \\
+    /// $M = \frac{1}{\sigma_o} \begin{pmatrix} \sigma_x \sqrt{1 - \rho^2} & \rho \sigma_x \\\\
     /// 0 & \sigma_y \end{pmatrix}$, with $\sigma_o^2 M M^T = \Sigma$; rows first. As
     /// $\rho \to \pm 1$ the matrix becomes singular; nothing is clamped. `sigma_o > 0`.
     ///
