@@ -66,10 +66,19 @@ pub(super) fn around_the_lobe<R: Real>(
         let (dx, dy) = (qx[k] - px[k], qy[k] - py[k]);
         let c = px[k] * dy - py[k] * dx;
         let e2 = dx * dx + dy * dy;
-        let r = (e2 + c * c).sqrt();
-        terms[k] = c / r * r.upper_angle(R::ONE + px[k] * qx[k] + py[k] * qy[k]);
-        // Positive if the lobe lies inwards, deep enough.
-        depth[k] = turn * c * c.abs() - depth2 * e2;
+        let product = R::ONE + px[k] * qx[k] + py[k] * qy[k];
+        if near {
+            let r = (e2 + c * c).sqrt();
+            terms[k] = c / r * r.upper_angle(product);
+        } else {
+            // Cross products of a billion lobes by a billion have no squares in f32.
+            let e = e2.sqrt();
+            let d = c / e;
+            let s = (R::ONE + d * d).sqrt();
+            terms[k] = d / s * (e * s).upper_angle(product);
+            // Positive if the lobe lies inwards, deep enough.
+            depth[k] = turn * d * d.abs() - depth2;
+        }
     }
     let inward = depth.iter().all(|&depth| depth > R::ZERO);
     let sum = (terms[0] + terms[1]) + (terms[2] + terms[3]);

@@ -81,6 +81,27 @@ impl<R: Real> Kernel<R> {
         Self { covariance: covariance.scaled(R::lit(filter.variance)) }
     }
 
+    /// Tokuyoshi's kernel for forward shading, from derivatives of $(h_x, h_y)$ of the unit half vector used in
+    /// slope space as they are, under [`PixelFilter::KAPLANYAN`].
+    ///
+    /// A deliberate narrowing at grazing half vectors, where quad differences are noise
+    /// ([`Footprint::from_disk_narrowed`]).
+    ///
+    /// Source: Tokuyoshi 2017, Eq. 2, 3 and 7, Listing 1.
+    ///
+    /// ```
+    /// use lobe::{Kernel, Roughness};
+    /// let kernel = Kernel::tokuyoshi_forward([0.1_f64, 0.0], [0.0, 0.2]);
+    /// let widened = Roughness::from_alpha(0.1)?.widened(&kernel);
+    /// // alpha^2 + 2 * 0.25 * derivative^2, per axis.
+    /// assert!((widened.alphas().x.powi(2) - (0.01 + 0.02)).abs() < 1e-15);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    #[inline]
+    pub fn tokuyoshi_forward(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Self {
+        Self::of(&Footprint::from_disk_narrowed(u, v), PixelFilter::KAPLANYAN)
+    }
+
     /// A kernel of this covariance: an area light, a depth of field, a normal map's spread.
     #[inline]
     pub fn from_covariance(covariance: Psd<R>) -> Self {

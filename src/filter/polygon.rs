@@ -73,7 +73,8 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// distance of the edge's line, $q = 1 + d^2$. A zero footprint gives $P_{22}$ itself, a segment the
     /// mean along it. Error, relative: f32 below 1e-5 within ten alphas of the lobe (1.2e-5 in one of
     /// ten million random footprints) and 1e-3 anywhere; f64 below 1e-9.
-    /// Divide by $h_z^4$ for the filtered D ([`Ndf::brdf_over`] does). For a mirror the mean is 0: widen
+    /// Components beyond $10^9$
+    /// shrink the footprint to that, in proportion. Divide by $h_z^4$ for the filtered D ([`Ndf::brdf_over`] does). For a mirror the mean is 0: widen
     /// it first.
     ///
     /// Source: derived here by Green's theorem; the polygon integral of Loubet et al. 2020 in another
@@ -107,6 +108,7 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         if !(root_det > S::Scalar::ZERO) {
             return S::Scalar::ZERO;
         }
+        let footprint = &footprint.bounded();
         let (offset, low) = shape.offset(slope);
         let (x, y) =
             (two_sum(offset[0], low[0] + slope_low[0]), two_sum(offset[1], low[1] + slope_low[1]));

@@ -50,7 +50,7 @@ impl Texture {
         let mut data = vec![0; bytes];
         reader.next_frame(&mut data).map_err(broken)?;
 
-        let normals = if wide {
+        let normals: Vec<_> = if wide {
             data.chunks_exact(2 * channels)
                 .map(|texel| {
                     unit([0, 2, 4].map(|k| u16::from_be_bytes([texel[k], texel[k + 1]])), 65535.0)
@@ -61,6 +61,11 @@ impl Texture {
                 .map(|texel| unit([texel[0], texel[1], texel[2]].map(u16::from), 255.0))
                 .collect()
         };
+        // Blue is z: a picture in which half of the texels point down is something else.
+        let up = normals.iter().filter(|normal| normal[2] > 0.0).count();
+        if 2 * up <= normals.len() {
+            return Err("not a tangent-space normal map (most texels do not point up)".into());
+        }
         // Both sides are at most LONGEST_SIDE.
         Ok(Self { width: width.cast_signed(), height: height.cast_signed(), normals })
     }
