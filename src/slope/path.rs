@@ -96,7 +96,8 @@ impl<R: Real> Path<R> {
     /// $dp_k = dg_k/N - (B v)_k - p_k (dg_z/N + p \cdot B v)$,
     /// $dg = -[(I - w_i w_i^T)/r_i + (I - w_o w_o^T)/r_o]\, v$.
     /// Columns are `v = s` and `v = t`; unit 1/length. A distant vertex drops its term.
-    /// Returns zeros if $g$ does not point above the surface. The slope's Jacobian is $-M$; as every
+    /// Returns zeros if $g$ does not point above the surface; at grazing half vectors entries grow like $1/g_z^2$,
+    /// to at most the largest number. The slope's Jacobian is $-M$; as every
     /// kernel and polygon is even in its derivatives, both signs give the same filter.
     ///
     /// Source: Kaplanyan et al. 2016, Eq. 4 and 6, derived in full (the paper refers to Jakob 2013).
@@ -120,7 +121,7 @@ impl<R: Real> Path<R> {
             let (eye, light) = (self.eye.turn(v), self.light.turn(v));
             let dg = [0, 1, 2].map(|k| (eye[k] + light[k]) / g[2]);
             let common = dg[2] + p[0] * bv[0] + p[1] * bv[1];
-            [0, 1].map(|k| dg[k] - bv[k] - p[k] * common)
+            [0, 1].map(|k| (dg[k] - bv[k] - p[k] * common).max(-R::MAX).min(R::MAX))
         };
         let along_s = column([R::ONE, R::ZERO, R::ZERO], [b11, b12]);
         let along_t = column([R::ZERO, R::ONE, R::ZERO], [b12, b22]);

@@ -51,14 +51,15 @@ fn normal_maps_that_cannot_be_used_are_named_and_leave_nothing_behind() {
         fs::write(&path, bytes).unwrap();
         path
     };
-    let picture = |color, palette: bool| {
+    let picture = |color: png::ColorType, palette: bool| {
         let mut file = Vec::new();
         let mut encoder = png::Encoder::new(&mut file, 1, 1);
         encoder.set_color(color);
         if palette {
             encoder.set_palette(vec![128, 128, 255]);
         }
-        encoder.write_header().unwrap().write_image_data(&[0]).unwrap();
+        let black = vec![0; color.samples()];
+        encoder.write_header().unwrap().write_image_data(&black).unwrap();
         file
     };
     let grey = picture(png::ColorType::Grayscale, false);
@@ -73,6 +74,7 @@ fn normal_maps_that_cannot_be_used_are_named_and_leave_nothing_behind() {
         (write("no-pixels.png", &no_pixels), ""),
         (write("palette.png", &picture(png::ColorType::Indexed, true)), "palette"),
         (write("grey.png", &grey), "greyscale"),
+        (write("black.png", &picture(png::ColorType::Rgb, false)), "normal map"),
     ] {
         let path = path.to_str().unwrap();
         let line = refusal(&["--normal-map", path, "--quick", "--out", out.to_str().unwrap()]);
