@@ -330,3 +330,15 @@ fn brdfs_over_footprints_make_no_fireflies() {
     let bad = Footprint::from_slopes([f32::NAN, 0.0], [0.0, 0.0]);
     assert_eq!(ggx.brdf_over([0.0, 0.0, 1.0], [0.6, 0.0, 0.8], &bad), 0.0);
 }
+
+/// Footprints of grazing half vectors have no bound: the mean stays one over the area, to 1e9 per side.
+#[test]
+fn means_over_huge_footprints_are_one_over_their_area() {
+    let ggx = Ggx::new(lobe::Isotropic::new(0.1_f32).expect("an alpha"));
+    for (width, area) in
+        [(1e6, 1e12), (3e8, 9e16), (1e9, 1e18), (1e19, 1e18), (f32::INFINITY, 1e18)]
+    {
+        let got = ggx.rectangle_mean([0.0, 0.0], [width, width]);
+        assert!((got * area - 1.0).abs() < 1e-5, "{got} for one over {area}, width {width}");
+    }
+}
