@@ -52,8 +52,8 @@ fn gaussian_mean<R: Real>(slope: R, width: R, alpha: R) -> R {
 ///
 /// $\prod_k \frac{1}{2 w_k} [\mathrm{erf}((s_k + w_k/2)/\alpha_k) - \mathrm{erf}((s_k -
 /// w_k/2)/\alpha_k)]$, without the cancellation of that difference. `alphas` along the axes of the
-/// rectangle, positive; 0 is a mirror: the mean is then 0. `widths` are full widths, 0 included; their sign does not matter. With the
-/// Gaussian pixel kernel Beckmann has a closed form ([`Roughness::widened`](crate::Roughness::widened));
+/// rectangle, positive; 0 is a mirror: the mean is then 0. `widths` are full widths, 0 included; their sign
+/// does not matter. With the Gaussian pixel kernel Beckmann has a closed form ([`Roughness::widened`](crate::Roughness::widened));
 /// this one is its box-pixel counterpart.
 ///
 /// ```

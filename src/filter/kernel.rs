@@ -72,12 +72,12 @@ impl<R: Real> Kernel<R> {
     pub fn of(footprint: &Footprint<R>, filter: PixelFilter) -> Self {
         // Infinite components count as the largest, and so do those without a number.
         let finite = |x: R| x.max(-R::MAX).min(R::MAX);
-        let (u, v) = (footprint.u.map(finite), footprint.v.map(finite));
-        let largest = u[0].abs().max(u[1].abs()).max(v[0].abs().max(v[1].abs()));
+        let footprint = Footprint { u: footprint.u.map(finite), v: footprint.v.map(finite) };
         let limit = R::LARGEST / R::lit(filter.variance.max(1.0)).sqrt();
         // 1 for all but those footprints, without a branch.
-        let factor = limit / largest.max(limit);
-        let covariance = Psd::outer_sum(u.map(|x| x * factor), v.map(|x| x * factor));
+        let factor = limit / footprint.largest_component().max(limit);
+        let [u, v] = [footprint.u, footprint.v].map(|side| side.map(|x| x * factor));
+        let covariance = Psd::outer_sum(u, v);
         Self { covariance: covariance.scaled(R::lit(filter.variance)) }
     }
 

@@ -72,9 +72,9 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// $\frac{1}{2\pi} \sum \frac{d}{\sqrt q} \mathrm{atan2}(\ell \sqrt q, q + t_0 t_1)$, $d$ the signed
     /// distance of the edge's line, $q = 1 + d^2$. A zero footprint gives $P_{22}$ itself, a segment the
     /// mean along it. Error, relative: f32 below 1e-5 within ten alphas of the lobe (1.2e-5 in one of
-    /// ten million random footprints) and 1e-3 anywhere; f64 below 1e-9.
-    /// Components beyond $10^9$
-    /// shrink the footprint to that, in proportion. Divide by $h_z^4$ for the filtered D ([`Ndf::brdf_over`] does). For a mirror the mean is 0: widen
+    /// ten million random footprints) and 1e-3 anywhere; f64 below 1e-9. Components beyond $10^9$ shrink the
+    /// footprint to that, in proportion. Divide by $h_z^4$ for the filtered D ([`Ndf::brdf_over`] does). For a
+    /// mirror the mean is 0: widen
     /// it first.
     ///
     /// Source: derived here by Green's theorem; the polygon integral of Loubet et al. 2020 in another
@@ -131,20 +131,18 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         } else {
             let strip = Strip::new(&whitened);
             let narrow = strip.is_narrow();
-            if !strip.keeps_digits() {
-                // What looks narrow from afar may not be.
-                let strip = strip.sharpened(&whitened, shape, (offset, low), footprint);
-                if narrow && strip.is_narrow() {
-                    strip.narrow_mean()
-                } else {
-                    general_mean(&Frame::exact(&whitened, shape, offset, low, footprint))
-                }
-            } else if !narrow {
-                general_mean(&Frame::plain(&whitened))
-            } else if S::Scalar::SINGLE {
-                strip.mean(&GAUSS_FOUR)
+            if strip.keeps_digits() {
+                if narrow { strip.mean() } else { general_mean(&Frame::plain(&whitened)) }
             } else {
-                strip.mean(&GAUSS_EIGHT)
+                // What looks narrow from afar may not be.
+                let sharpened = if narrow {
+                    strip.sharpened_mean(&whitened, shape, (offset, low), footprint)
+                } else {
+                    None
+                };
+                sharpened.unwrap_or_else(|| {
+                    general_mean(&Frame::exact(&whitened, shape, offset, low, footprint))
+                })
             }
         };
         mean / root_det

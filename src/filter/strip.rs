@@ -111,17 +111,18 @@ impl<R: Real> Strip<R> {
         Self { nearness: nearness(along, [self.n - climb, self.n + climb]), ..self }
     }
 
-    /// The same with ends and distance as exact as if each were the centre, from slope space: for a long strip.
+    /// Mean of the unit density over a long narrow strip, from ends and distance as exact as if each were the
+    /// centre; none if that shows that the strip is not narrow.
     ///
     /// See [`Frame::exact`](super::frame::Frame::exact).
     #[inline(never)]
-    pub(super) fn sharpened<S: Shape<Scalar = R>>(
+    pub(super) fn sharpened_mean<S: Shape<Scalar = R>>(
         mut self,
         w: &Whitened<R>,
         shape: &S,
         (offset, offset_low): ([R; 2], [R; 2]),
         footprint: &Footprint<R>,
-    ) -> Self {
+    ) -> Option<R> {
         let a = if w.is_swapped() { footprint.v } else { footprint.u };
         let end = |half: R| {
             let sum = |k: usize| {
@@ -134,7 +135,8 @@ impl<R: Real> Strip<R> {
         (self.start, self.end) = (end(-R::HALF), end(R::HALF));
         let low = a[0] * offset_low[1] - a[1] * offset_low[0];
         self.n = (cross(a, offset) + low) / (shape.root_det() * self.length);
-        self.placed()
+        let strip = self.placed();
+        strip.is_narrow().then(|| strip.mean())
     }
 
     /// True if no corner can lie much nearer to the lobe than the strip is long, so that the rounding of
@@ -150,15 +152,14 @@ impl<R: Real> Strip<R> {
         self.lean * self.lean + self.rise * self.rise <= R::lit(0.5 * 0.5) * self.nearness
     }
 
-    /// Mean of the unit density over a narrow strip, out of line.
-    #[inline(never)]
-    pub(super) fn narrow_mean(&self) -> R {
-        if R::SINGLE { self.mean(&GAUSS_FOUR) } else { self.mean(&GAUSS_EIGHT) }
-    }
-
     /// Mean of the unit density over a narrow strip.
     #[inline(always)]
-    pub(super) fn mean<const N: usize>(&self, rule: &Rule<N>) -> R {
+    pub(super) fn mean(&self) -> R {
+        if R::SINGLE { self.mean_by(&GAUSS_FOUR) } else { self.mean_by(&GAUSS_EIGHT) }
+    }
+
+    #[inline(always)]
+    fn mean_by<const N: usize>(&self, rule: &Rule<N>) -> R {
         // Within three units; the product of four lengths must stay in range.
         if self.nearness <= R::lit(9.0) && self.length <= R::lit(1e6) {
             self.mean_of(rule, near_mean)

@@ -148,18 +148,24 @@ impl<R: Real> Footprint<R> {
         Self { u: self.u.map(shrink), v: self.v.map(shrink) }
     }
 
-    /// The footprint shrunk in proportion to components of at most $10^9$: those of grazing half vectors have no
-    /// bound, and f32 has no squares for them.
+    /// The largest component in magnitude.
+    #[inline(always)]
+    pub(crate) fn largest_component(&self) -> R {
+        let Self { u, v } = *self;
+        u[0].abs().max(u[1].abs()).max(v[0].abs().max(v[1].abs()))
+    }
+
+    /// The footprint shrunk in proportion to components of at most $10^9$: those of grazing half vectors have
+    /// no bound, and f32 has no squares for them.
     #[inline]
     pub(crate) fn bounded(&self) -> Self {
-        let Self { u, v } = *self;
-        let largest = u[0].abs().max(u[1].abs()).max(v[0].abs().max(v[1].abs()));
+        let largest = self.largest_component();
         if largest <= R::LARGEST {
             return *self;
         }
         // Infinite components count as the largest number.
         let shrink = |x: R| x.max(-R::MAX).min(R::MAX) / largest.min(R::MAX) * R::LARGEST;
-        Self { u: u.map(shrink), v: v.map(shrink) }
+        Self { u: self.u.map(shrink), v: self.v.map(shrink) }
     }
 
     /// Area of the parallelogram, in squared slope units.

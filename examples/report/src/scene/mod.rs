@@ -39,6 +39,16 @@ enum Surface<R> {
     Plane(MappedPlane<R>),
 }
 
+impl Surface<f64> {
+    /// The same in another precision.
+    fn cast<R: Scalar>(&self) -> Surface<R> {
+        match self {
+            Self::Water(waves) => Surface::Water(waves.cast()),
+            Self::Plane(plane) => Surface::Plane(plane.cast()),
+        }
+    }
+}
+
 impl<R: Scalar> Scene<R> {
     /// The sample at the picture's point (x, y); pixel centres are at halves.
     ///
@@ -75,17 +85,7 @@ impl Subject {
         let view = water::VIEW;
         let camera = Camera::spanning(size, view.top, view.bottom);
         let (waves, caption) = Waves::seen_by(&camera, size);
-        Self {
-            name: "water".into(),
-            caption,
-            size,
-            engine: Scene {
-                camera: camera.cast(),
-                light: view.light().map(|c| c as f32),
-                surface: Surface::Water(waves.cast()),
-            },
-            exact: Scene { camera, light: view.light(), surface: Surface::Water(waves) },
-        }
+        Self::seen("water".into(), caption, size, &view, camera, Surface::Water(waves))
     }
 
     /// A plane with a normal map.
@@ -93,17 +93,26 @@ impl Subject {
         let view = plane::VIEW;
         let camera = Camera::spanning(size, view.top, view.bottom);
         let (surface, caption) = MappedPlane::seen_by(&camera, size, map);
-        Self {
-            name: format!("plane: {}", map.name),
-            caption,
-            size,
-            engine: Scene {
-                camera: camera.cast(),
-                light: view.light().map(|c| c as f32),
-                surface: Surface::Plane(surface.cast()),
-            },
-            exact: Scene { camera, light: view.light(), surface: Surface::Plane(surface) },
-        }
+        let name = format!("plane: {}", map.name);
+        Self::seen(name, caption, size, &view, camera, Surface::Plane(surface))
+    }
+
+    /// A surface under a view, in both precisions.
+    fn seen(
+        name: String,
+        caption: String,
+        size: Size,
+        view: &View,
+        camera: Camera<f64>,
+        surface: Surface<f64>,
+    ) -> Self {
+        let light = view.light();
+        let engine = Scene {
+            camera: camera.cast(),
+            light: light.map(|c| c as f32),
+            surface: surface.cast(),
+        };
+        Self { name, caption, size, engine, exact: Scene { camera, light, surface } }
     }
 }
 
