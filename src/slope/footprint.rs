@@ -122,6 +122,23 @@ impl<R: Real> Footprint<R> {
         Self::rectangle(self.extents())
     }
 
+    /// The bounding rectangle with both widths limited to `limit`. A negative limit counts as 0.
+    ///
+    /// Source: Kaplanyan et al. 2016, section 5.2, with a limit of 1 ([`Footprint::WIDTH_LIMIT`]).
+    ///
+    /// ```
+    /// use lobe::Footprint;
+    /// let grazing = Footprint::from_slopes([9.0_f64, 0.1], [0.5, 0.1]);
+    /// assert_eq!(grazing.bounding_within(Footprint::<f64>::WIDTH_LIMIT).extents(), [1.0, 0.2]);
+    /// ```
+    #[must_use]
+    pub fn bounding_within(&self, limit: R) -> Self {
+        Self::rectangle(self.extents().map(|width| width.min(limit.max(R::ZERO))))
+    }
+
+    /// Kaplanyan's limit on the footprint's widths, lambda of section 5.2.
+    pub const WIDTH_LIMIT: f64 = 1.0;
+
     /// Length of the longer diagonal.
     pub fn diameter(&self) -> R {
         let length = |x: R, y: R| {
@@ -166,6 +183,23 @@ impl<R: Real> Footprint<R> {
         // Infinite components count as the largest number.
         let shrink = |x: R| x.max(-R::MAX).min(R::MAX) / largest.min(R::MAX) * R::LARGEST;
         Self { u: self.u.map(shrink), v: self.v.map(shrink) }
+    }
+
+    /// The footprint of a pixel of another size: both derivatives times `factor`.
+    ///
+    /// For derivatives that were taken over other pixels than those that are shown: $1/\sqrt n$ where n samples
+    /// of a pixel are shaded each (MSAA at sample rate, supersampling), the ratio of shaded to shown pixels where
+    /// pictures are scaled up or down afterwards.
+    ///
+    /// ```
+    /// use lobe::Footprint;
+    /// let shaded = Footprint::rectangle([0.1_f32, 0.2]);
+    /// assert_eq!(shaded.scaled(0.5).extents(), [0.05, 0.1]); // four shaded samples a pixel
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn scaled(&self, factor: R) -> Self {
+        Self { u: self.u.map(|x| x * factor), v: self.v.map(|x| x * factor) }
     }
 
     /// Area of the parallelogram, in squared slope units.

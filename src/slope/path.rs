@@ -5,6 +5,7 @@
 
 use super::direction::dot;
 use super::jacobian::Matrix;
+use super::motion::Motion;
 use crate::error::Error;
 use crate::scalar::Real;
 
@@ -81,21 +82,46 @@ impl<R: Real> Path<R> {
     ///
     /// Zero for a vertex pair whose sum does not point above the surface.
     pub fn plane_point(&self) -> [R; 2] {
-        let g = self.sum();
+        let g = self.half();
         if g[2] > R::ZERO { [g[0] / g[2], g[1] / g[2]] } else { [R::ZERO; 2] }
     }
 
-    fn sum(&self) -> [R; 3] {
+    /// The half vector without its normalisation, $g = w_i + w_o$.
+    pub fn half(&self) -> [R; 3] {
         let (wo, wi) = (self.eye.direction, self.light.direction);
         [wo[0] + wi[0], wo[1] + wi[1], wo[2] + wi[2]]
     }
 
+    /// What a step of the surface point in its tangent plane moves: per pixel, [`Footprint::from_motion`] takes it.
+    ///
+    /// $dg = -[(I - w_i w_i^T)/r_i + (I - w_o w_o^T)/r_o]\, dx$, $dn = B\, dx$. A distant vertex drops its term.
+    ///
+    /// [`Footprint::from_motion`]: super::Footprint::from_motion
+    ///
+    /// ```
+    /// use lobe::{Footprint, Path, Vertex, slope::ray};
+    /// let (wo, above) = ([0.0_f64, 0.0, 1.0], Vertex::distant([0.0, 0.0, 1.0])?);
+    /// let path = Path { eye: above, light: above, curvature: [0.5, 0.0, 0.5] };
+    /// // A ray tracer's pixel: the width of its ray cone at the hit.
+    /// let [u, v] = ray::cone_steps(wo, ray::cone_width(0.0, 0.001, 20.0)).map(|dx| path.motion(dx));
+    /// let footprint = Footprint::from_motion(path.half(), &u, &v)?;
+    /// assert!((footprint.extents()[0] - 0.01).abs() < 1e-8);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    pub fn motion(&self, step: impl Into<[R; 2]>) -> Motion<R> {
+        let [x, y] = step.into();
+        let [b11, b12, b22] = self.curvature;
+        let (eye, light) = (self.eye.turn([x, y, R::ZERO]), self.light.turn([x, y, R::ZERO]));
+        Motion {
+            half: [0, 1, 2].map(|k| eye[k] + light[k]),
+            normal: [b11 * x + b12 * y, b12 * x + b22 * y],
+            spin: R::ZERO,
+        }
+    }
+
     /// The derivative of the plane point by the surface point.
     ///
-    /// With $N = g_z$, unit tangent $v$ and $k \in \{s, t\}$:
-    /// $dp_k = dg_k/N - (B v)_k - p_k (dg_z/N + p \cdot B v)$,
-    /// $dg = -[(I - w_i w_i^T)/r_i + (I - w_o w_o^T)/r_o]\, v$.
-    /// Columns are `v = s` and `v = t`; unit 1/length. A distant vertex drops its term.
+    /// Columns are the plane's answer to [`Path::motion`] along each tangent; unit 1/length.
     /// Returns zeros if $g$ does not point above the surface; at grazing half vectors entries grow like $1/g_z^2$,
     /// to at most the largest number. The slope's Jacobian is $-M$; as every
     /// kernel and polygon is even in its derivatives, both signs give the same filter.
@@ -111,20 +137,13 @@ impl<R: Real> Path<R> {
     /// # Ok::<(), lobe::Error>(())
     /// ```
     pub fn slope_jacobian(&self) -> Matrix<R> {
-        let g = self.sum();
+        let g = self.half();
         if !(g[2] > R::ZERO) {
             return [[R::ZERO; 2]; 2];
         }
-        let p = self.plane_point();
-        let [b11, b12, b22] = self.curvature;
-        let column = |v: [R; 3], bv: [R; 2]| {
-            let (eye, light) = (self.eye.turn(v), self.light.turn(v));
-            let dg = [0, 1, 2].map(|k| (eye[k] + light[k]) / g[2]);
-            let common = dg[2] + p[0] * bv[0] + p[1] * bv[1];
-            [0, 1].map(|k| (dg[k] - bv[k] - p[k] * common).max(-R::MAX).min(R::MAX))
-        };
-        let along_s = column([R::ONE, R::ZERO, R::ZERO], [b11, b12]);
-        let along_t = column([R::ZERO, R::ONE, R::ZERO], [b12, b22]);
+        let column =
+            |step: [R; 2]| self.motion(step).plane_step(g).map(|x| x.max(-R::MAX).min(R::MAX));
+        let (along_s, along_t) = (column([R::ONE, R::ZERO]), column([R::ZERO, R::ONE]));
         [[along_s[0], along_t[0]], [along_s[1], along_t[1]]]
     }
 }
