@@ -28,6 +28,12 @@ pub enum Error {
     SigmaX,
     /// `sigma_y` is outside `[0, 1e9]` or NaN.
     SigmaY,
+    /// `sigma` is outside `[0, 1e9]` or NaN.
+    Sigma,
+    /// `width` is outside `[0, 1e9]` or NaN.
+    Width,
+    /// `sharpness` is outside `[0, 1e18]` or NaN.
+    Sharpness,
     /// `rho` is outside `[-1, 1]` or NaN.
     Rho,
     /// `matrix` has an entry beyond 1e18 in magnitude, or NaN.
@@ -64,6 +70,9 @@ impl fmt::Display for Error {
             Self::Perceptual => "perceptual roughness must lie in [0, 1]",
             Self::SigmaX => "sigma_x must lie in [0, 1e9]",
             Self::SigmaY => "sigma_y must lie in [0, 1e9]",
+            Self::Sigma => "sigma must lie in [0, 1e9]",
+            Self::Width => "width must lie in [0, 1e9]",
+            Self::Sharpness => "sharpness must lie in [0, 1e18]",
             Self::Rho => "rho must lie in [-1, 1]",
             Self::MatrixEntry => "matrix entries must lie in [-1e18, 1e18]",
             Self::MatrixNotPositive => "matrix must be positive semi-definite",

@@ -10,6 +10,7 @@ mod frame;
 mod gaussian;
 mod kernel;
 mod polygon;
+mod proxy;
 pub mod published;
 mod segment;
 mod strip;
@@ -19,4 +20,7 @@ pub use beckmann::beckmann_rectangle_mean;
 pub use deferred::tokuyoshi_deferred_alpha;
 pub use gaussian::ggx_gaussian_mean;
 pub use kernel::{Kernel, PixelFilter};
-pub use published::{kaplanyan_rectangle_mean, kaplanyan_rectangle_mean_as_printed};
+pub use proxy::{box_peak_alpha, gaussian_peak_alpha};
+pub use published::{
+    kaplanyan_proxy_alpha, kaplanyan_rectangle_mean, kaplanyan_rectangle_mean_as_printed,
+};

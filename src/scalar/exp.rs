@@ -29,12 +29,12 @@ const EXP_F64: [f64; 11] = [
 /// ln(2) in two parts: the first has 15 significant bits, so that its product with k is exact.
 ///
 /// Together they miss ln(2) by 5.5e-14. Split by `tests/golden/fit.py`, `split("ln_two_f32", ...)`.
-const LN_TWO_F32: [f32; 2] = [0.693_145_75, 1.428_606_8e-6];
+pub(super) const LN_TWO_F32: [f32; 2] = [0.693_145_75, 1.428_606_8e-6];
 
 /// ln(2) in two parts: the first has 32 significant bits, so that its product with k is exact.
 ///
 /// Together they miss ln(2) by 1.3e-27. Split by `tests/golden/fit.py`, `split("ln_two_f64", ...)`.
-const LN_TWO_F64: [f64; 2] = [0.693_147_180_601_954_5, -4.200_915_072_681_084_6e-11];
+pub(super) const LN_TWO_F64: [f64; 2] = [0.693_147_180_601_954_5, -4.200_915_072_681_084_6e-11];
 
 /// 1.5 * 2^23: adding it rounds to the nearest integer and leaves that integer in the low bits.
 const ROUNDER_F32: f32 = 12_582_912.0;

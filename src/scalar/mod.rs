@@ -4,6 +4,8 @@ pub(crate) mod atan;
 pub(crate) mod erfc;
 pub(crate) mod exact;
 pub(crate) mod exp;
+pub(crate) mod expint;
+pub(crate) mod ln;
 mod math;
 pub(crate) mod psd;
 pub(crate) mod quadrature;

@@ -2,7 +2,7 @@
 //!
 //! Floor 0. Sealed: the polynomials behind `exp`, `atan` and `erfc` exist for these two widths only.
 
-use super::{atan, erfc, exp, math};
+use super::{atan, erfc, exp, ln, math};
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -101,6 +101,8 @@ pub trait Real:
     fn sin_cos(self) -> (Self, Self);
     /// $e^x$; 0 below the smallest number, infinity above the largest.
     fn exp(self) -> Self;
+    /// Natural logarithm; minus infinity at 0, NaN below.
+    fn ln(self) -> Self;
     /// Arctangent in $[-\pi/2, \pi/2]$.
     fn atan(self) -> Self;
     /// Angle of the point (`x`, `self`) in $[-\pi, \pi]$; 0 at the origin.
@@ -125,7 +127,7 @@ pub trait Real:
 }
 
 macro_rules! impl_real {
-    ($t:ident, $single:literal, $mask:literal, $sqrt:ident, $exp:ident, $atan:ident, $atan2:ident,
+    ($t:ident, $single:literal, $mask:literal, $sqrt:ident, $exp:ident, $ln:ident, $atan:ident, $atan2:ident,
      $upper_angle:ident, $atan_excess:ident, $erfc:ident, $erfcx:ident, $ierfcx:ident) => {
         impl Real for $t {
             const ZERO: Self = 0.0;
@@ -163,6 +165,10 @@ macro_rules! impl_real {
             #[inline(always)]
             fn exp(self) -> Self {
                 exp::$exp(self)
+            }
+            #[inline(always)]
+            fn ln(self) -> Self {
+                ln::$ln(self)
             }
             #[inline(always)]
             fn atan(self) -> Self {
@@ -206,6 +212,7 @@ impl_real!(
     0xFFFF_F000,
     sqrt_f32,
     exp_f32,
+    ln_f32,
     atan_f32,
     atan2_f32,
     upper_angle_f32,
@@ -220,6 +227,7 @@ impl_real!(
     0xFFFF_FFFF_F800_0000,
     sqrt_f64,
     exp_f64,
+    ln_f64,
     atan_f64,
     atan2_f64,
     upper_angle_f64,

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fits the polynomials of src/scalar/{exp,atan,erfc}.rs and prints them as Rust literals.
+"""Fits the polynomials of src/scalar/{exp,ln,atan,erfc}.rs and prints them as Rust literals.
 
 Usage: python3 fit.py [name ...]      (all fits when no name is given)
 
@@ -198,6 +198,21 @@ def fit_atan_excess(name, bits, degree):
     report(name, Fit(core, lambda s: 1 / core(s), 0, 1, degree), bits)
 
 
+def fit_ln(name, bits, degree):
+    """(ln((1 + s)/(1 - s)) - 2 s)/s^3 in z = s^2, 0 <= s <= 3 - 2 sqrt(2), error relative to the logarithm."""
+    def whole(z):
+        s = mp.sqrt(z)
+        with mp.extradps(30):
+            return mp.log((1 + s) / (1 - s))
+    def core(z):
+        s = mp.sqrt(z)
+        with mp.extradps(30):
+            return (whole(z) - 2 * s) / (s * z) if z else mpf(2) / 3
+    def weight(z):
+        return z * mp.sqrt(z) / whole(z) if z else mpf(0)
+    report(name, Fit(core, weight, 0, mpf("0.02944"), degree), bits)
+
+
 def fit_half_line(name, bits, degree, pole, reference, factor, limit):
     """reference(x) factor(x) in u = t - 3/8, t = pole/(pole + x), 0 <= x <= infinity, relative.
 
@@ -244,6 +259,8 @@ FITS = {
     "pi_f64": lambda n: split(n, +mp.pi, DOUBLE, DOUBLE),
     "exp_f32": lambda n: fit_exp(n, SINGLE, 4),
     "exp_f64": lambda n: fit_exp(n, DOUBLE, 10),
+    "ln_f32": lambda n: fit_ln(n, SINGLE, 2),
+    "ln_f64": lambda n: fit_ln(n, DOUBLE, 6),
     "atan_f32": lambda n: fit_atan(n, SINGLE, 8),
     "atan_f64": lambda n: fit_atan(n, DOUBLE, 20),
     "atan_excess_f32": lambda n: fit_atan_excess(n, SINGLE, 10),
