@@ -63,7 +63,7 @@ step "Lints: workspace, all targets"
 cargo clippy --workspace --all-targets -- -D warnings
 
 step "Features: every combination builds without warnings"
-for features in std libm std,libm std,glam libm,glam std,libm,glam; do
+for features in std libm std,libm std,count std,glam libm,glam std,libm,glam; do
     echo "   $features"
     cargo clippy --quiet --package lobe --no-default-features --features "$features" -- -D warnings
 done
@@ -77,12 +77,13 @@ refuses "E0152" cargo build --manifest-path tests/no_std/Cargo.toml --features s
 
 step "Documentation"
 RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
+RUSTDOCFLAGS="-D warnings" cargo doc --package lobe --all-features --no-deps --quiet
 
 step "Tests: laws, golden tables, corpus, doc tests"
 tests=$(mktemp)
 trap 'rm -f "$log" "$tests"' EXIT
 failures=()
-cargo test --workspace --no-fail-fast 2>&1 | tee "$tests" || failures+=("tests")
+cargo test --workspace --features count --no-fail-fast 2>&1 | tee "$tests" || failures+=("tests")
 
 if $fast; then
     skip "validate, benches, fuzz targets (--fast)"

@@ -32,7 +32,7 @@ pub enum Error {
     Sigma,
     /// `width` is outside `[0, 1e9]` or NaN.
     Width,
-    /// `sharpness` is outside `[0, 1e18]` or NaN.
+    /// `sharpness` is outside `[1e-9, 1e18]` or NaN.
     Sharpness,
     /// `rho` is outside `[-1, 1]` or NaN.
     Rho,
@@ -72,7 +72,7 @@ impl fmt::Display for Error {
             Self::SigmaY => "sigma_y must lie in [0, 1e9]",
             Self::Sigma => "sigma must lie in [0, 1e9]",
             Self::Width => "width must lie in [0, 1e9]",
-            Self::Sharpness => "sharpness must lie in [0, 1e18]",
+            Self::Sharpness => "sharpness must lie in [1e-9, 1e18]",
             Self::Rho => "rho must lie in [-1, 1]",
             Self::MatrixEntry => "matrix entries must lie in [-1e18, 1e18]",
             Self::MatrixNotPositive => "matrix must be positive semi-definite",

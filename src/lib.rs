@@ -88,6 +88,7 @@
 //! |---|---|
 //! | `std` (default) | square root, sine and cosine from the standard library |
 //! | `libm` | the same from `libm`, for `no_std` |
+//! | `count` | `count::Counted`: a number that counts the operations done with it |
 //! | `glam` | `From` and `TryFrom` between [`Psd`] and `glam::Mat2`, `glam::DMat2` |
 //!
 //! # What it is not
@@ -111,6 +112,8 @@ pub mod slope;
 pub use error::Error;
 pub use filter::{Kernel, PixelFilter};
 pub use ndf::{Beckmann, Distribution, Ggx, Ndf};
+#[cfg(feature = "count")]
+pub use scalar::count;
 pub use scalar::{Eigen, Psd, Real};
 pub use slope::{
     Alphas, AxisAligned, Footprint, Full, Isotropic, Lobe, Path, Roughness, Shape, SlopeMoments,

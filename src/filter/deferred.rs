@@ -1,10 +1,13 @@
 //! Filtering before the light is known: roughness from the change of the normal.
 //!
-//! Floor 3.
+//! Floor 3. All forms take the worst case, a half vector at the normal, and differ in what they make of two
+//! derivative vectors: a sum, a mean, the largest, a rectangle.
 
 use super::kernel::PixelFilter;
 use crate::error::Error;
-use crate::scalar::Real;
+use crate::scalar::{Psd, Real};
+use crate::slope::Footprint;
+use crate::slope::direction::dot;
 
 /// Filtered alpha for a G-buffer, from the derivatives of the world-space normal.
 ///
@@ -33,16 +36,183 @@ pub fn tokuyoshi_deferred_alpha<R: Real>(
     filter: PixelFilter,
     limit: R,
 ) -> Result<R, Error> {
+    let spread = norm_squared(dn_u.into()) + norm_squared(dn_v.into());
+    widened(alpha, R::TWO * variance::<R>(filter) * spread, limit)
+}
+
+/// The same with the mean of the kernel's two eigenvalues in place of their sum: half of it.
+///
+/// $\bar\alpha^2 = \alpha^2 + \min(\sigma_{px}^2 (|\Delta n_u|^2 + |\Delta n_v|^2), \mathrm{limit})$. The paper has
+/// [`PixelFilter::TOKUYOSHI_KAPLANYAN`] and a limit of 0.18: with both changes its kernel is $\pi$ times narrower than
+/// that of 2017. Copies often keep the factor 2.
+///
+/// Source: Tokuyoshi & Kaplanyan 2021, Eq. 14 and Listing 5, there with vertex normals.
+///
+/// # Errors
+/// As [`tokuyoshi_deferred_alpha`].
+///
+/// ```
+/// use lobe::{PixelFilter, filter::*};
+/// let (dn_u, dn_v) = ([0.1_f64, 0.0, 0.0], [0.0, 0.1, 0.0]);
+/// let added = |alpha: f64| alpha * alpha - 0.01;
+/// let old = added(tokuyoshi_deferred_alpha(0.1, dn_u, dn_v, PixelFilter::KAPLANYAN, 0.18)?);
+/// let filter = PixelFilter::TOKUYOSHI_KAPLANYAN;
+/// let new = added(tokuyoshi_kaplanyan_deferred_alpha(0.1, dn_u, dn_v, filter, 0.18)?);
+/// assert!((old / new - core::f64::consts::PI).abs() < 1e-9);
+/// # Ok::<(), lobe::Error>(())
+/// ```
+pub fn tokuyoshi_kaplanyan_deferred_alpha<R: Real>(
+    alpha: R,
+    dn_u: impl Into<[R; 3]>,
+    dn_v: impl Into<[R; 3]>,
+    filter: PixelFilter,
+    limit: R,
+) -> Result<R, Error> {
+    let spread = norm_squared(dn_u.into()) + norm_squared(dn_v.into());
+    widened(alpha, variance::<R>(filter) * spread, limit)
+}
+
+/// The same with the largest eigenvalue itself: the narrowest isotropic kernel that covers the anisotropic one.
+///
+/// $\bar\alpha^2 = \alpha^2 + \min(2 \lambda, \mathrm{limit})$, with $\lambda$ the largest eigenvalue of
+/// $\sigma_{px}^2 (\Delta n_u \Delta n_u^T + \Delta n_v \Delta n_v^T)$. Those of the Gram matrix of the two vectors are the
+/// same but for a 0, so that this form, too, needs no tangent frame. One root more than the sum.
+///
+/// Source: Tokuyoshi 2017, Eq. 10, there from derivatives in the tangent frame.
+///
+/// # Errors
+/// As [`tokuyoshi_deferred_alpha`].
+///
+/// ```
+/// use lobe::{PixelFilter, filter::largest_deferred_alpha};
+/// // Curved along one axis only: all of the sum. Along both: half of it.
+/// let (dn_u, dn_v) = ([0.1_f64, 0.0, 0.0], [0.0, 0.1, 0.0]);
+/// let added = |dn_v| largest_deferred_alpha(0.0, dn_u, dn_v, PixelFilter::KAPLANYAN, 0.18);
+/// assert!((added([0.0; 3])?.powi(2) - 0.005).abs() < 1e-15);
+/// assert!((added(dn_v)?.powi(2) - 0.005).abs() < 1e-15);
+/// # Ok::<(), lobe::Error>(())
+/// ```
+pub fn largest_deferred_alpha<R: Real>(
+    alpha: R,
+    dn_u: impl Into<[R; 3]>,
+    dn_v: impl Into<[R; 3]>,
+    filter: PixelFilter,
+    limit: R,
+) -> Result<R, Error> {
+    let (u, v) = (dn_u.into(), dn_v.into());
+    let gram = Psd::from_entries(norm_squared(u), dot(u, v), norm_squared(v));
+    let largest = gram.eigen().major;
+    widened(alpha, R::TWO * variance::<R>(filter) * largest, limit)
+}
+
+/// Filtered alphas along the frame's axes for a G-buffer with two channels of roughness.
+///
+/// $\bar\alpha_k^2 = \alpha_k^2 + \min(2 \sigma_{px}^2 w_k^2, \mathrm{limit})$ with $w$ the widths of the bounding
+/// rectangle of `footprint`, that of [`quad_normal_footprint`]. One channel takes the larger of the two
+/// ([`kaplanyan_deferred_alpha`]). With [`PixelFilter::KAPLANYAN_PROXY`] it is the paper's GGX proxy, with
+/// [`PixelFilter::KAPLANYAN`] its Beckmann and Tokuyoshi's reading of its GGX.
+///
+/// Source: Kaplanyan et al. 2016, section 5.4, Eq. 15, 17 and 20; Tokuyoshi 2017, Listing 3.
+///
+/// # Errors
+/// [`Error::AlphaX`], [`Error::AlphaY`] unless in $[0, 10^9]$; [`Error::Limit`] if the limit is negative or NaN.
+///
+/// ```
+/// use lobe::{Footprint, PixelFilter, filter::kaplanyan_deferred_alphas};
+/// let footprint = Footprint::from_slopes([0.1_f64, 0.0], [0.1, 0.1]);
+/// let alphas = kaplanyan_deferred_alphas([0.1, 0.1], &footprint, PixelFilter::KAPLANYAN, 0.18)?;
+/// assert!((alphas[0].powi(2) - 0.03).abs() < 1e-15 && (alphas[1].powi(2) - 0.015).abs() < 1e-15);
+/// # Ok::<(), lobe::Error>(())
+/// ```
+pub fn kaplanyan_deferred_alphas<R: Real>(
+    alphas: impl Into<[R; 2]>,
+    footprint: &Footprint<R>,
+    filter: PixelFilter,
+    limit: R,
+) -> Result<[R; 2], Error> {
+    let ([x, y], [width, height]) = (alphas.into(), footprint.extents());
+    let twice = R::TWO * variance::<R>(filter);
+    let along = |alpha: R, width: R, error: Error| {
+        widened(alpha, twice * width * width, limit)
+            .map_err(|other| if other == Error::Alpha { error } else { other })
+    };
+    Ok([along(x, width, Error::AlphaX)?, along(y, height, Error::AlphaY)?])
+}
+
+/// The same for a G-buffer with one channel: the larger width.
+///
+/// Source: Kaplanyan et al. 2016, section 5.4; Tokuyoshi 2017, Listing 3.
+///
+/// # Errors
+/// As [`tokuyoshi_deferred_alpha`].
+///
+/// ```
+/// use lobe::{Footprint, PixelFilter, filter::kaplanyan_deferred_alpha};
+/// let footprint = Footprint::from_slopes([0.1_f64, 0.0], [0.1, 0.1]);
+/// let alpha = kaplanyan_deferred_alpha(0.1, &footprint, PixelFilter::KAPLANYAN, 0.18)?;
+/// assert!((alpha.powi(2) - 0.03).abs() < 1e-15);
+/// # Ok::<(), lobe::Error>(())
+/// ```
+pub fn kaplanyan_deferred_alpha<R: Real>(
+    alpha: R,
+    footprint: &Footprint<R>,
+    filter: PixelFilter,
+    limit: R,
+) -> Result<R, Error> {
+    let [width, height] = footprint.extents();
+    let widest = width.max(height);
+    widened(alpha, R::TWO * variance::<R>(filter) * widest * widest, limit)
+}
+
+/// A shading frame in world space: unit tangent, bitangent and normal.
+pub type ShadingFrame<R> = [[R; 3]; 3];
+
+/// The footprint of a quad whose half vectors all stand at its average normal: the deferred assumption.
+///
+/// `quad`: the frames of this pixel, its horizontal, its vertical and its diagonal neighbour. The average of the four
+/// normals stands for every half vector; seen from the frames of the first three it moves as the frames turn.
+///
+/// Source: Kaplanyan et al. 2016, section 5.4 and Eq. 17; Tokuyoshi 2017, Listing 3.
+///
+/// # Errors
+/// [`Error::HalfVector`] if the average is not above all three surfaces.
+///
+/// ```
+/// use lobe::filter::quad_normal_footprint;
+/// // A cylinder that turns by 0.02 from column to column.
+/// let frame = |angle: f64| {
+///     let (sin, cos) = angle.sin_cos();
+///     [[cos, 0.0, -sin], [0.0, 1.0, 0.0], [sin, 0.0, cos]]
+/// };
+/// let quad = [frame(0.0), frame(0.02), frame(0.0), frame(0.02)];
+/// let [width, height] = quad_normal_footprint(&quad)?.extents();
+/// assert!((width - 0.02).abs() < 1e-5 && height == 0.0);
+/// # Ok::<(), lobe::Error>(())
+/// ```
+pub fn quad_normal_footprint<R: Real>(quad: &[ShadingFrame<R>; 4]) -> Result<Footprint<R>, Error> {
+    let average = [0, 1, 2].map(|k| quad[0][2][k] + quad[1][2][k] + quad[2][2][k] + quad[3][2][k]);
+    let seen = |frame: &ShadingFrame<R>| frame.map(|axis| dot(axis, average));
+    Footprint::from_half_vectors(seen(&quad[0]), seen(&quad[1]), seen(&quad[2]))
+}
+
+/// Squared length.
+pub(super) fn norm_squared<R: Real>(v: [R; 3]) -> R {
+    dot(v, v)
+}
+
+fn variance<R: Real>(filter: PixelFilter) -> R {
+    R::lit(filter.variance())
+}
+
+/// $\sqrt{\alpha^2 + \min(\mathrm{added}, \mathrm{limit})}$, at most 1 unless alpha is more.
+pub(super) fn widened<R: Real>(alpha: R, added: R, limit: R) -> Result<R, Error> {
     if !alpha.is_magnitude() {
         return Err(Error::Alpha);
     }
     if !(limit >= R::ZERO) {
         return Err(Error::Limit);
     }
-    let norm_squared = |d: [R; 3]| d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    let spread = norm_squared(dn_u.into()) + norm_squared(dn_v.into());
     // `max` drops NaN: derivatives without a number add nothing.
-    let added = (R::lit(2.0 * filter.variance()) * spread).max(R::ZERO).min(limit);
-    let ceiling = alpha.max(R::ONE);
-    Ok((alpha * alpha + added).sqrt().min(ceiling))
+    let added = added.max(R::ZERO).min(limit);
+    Ok((alpha * alpha + added).sqrt().min(alpha.max(R::ONE)))
 }

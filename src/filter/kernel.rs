@@ -3,6 +3,7 @@
 //! Floor 3. The same citation hides factors from 0.159 to 0.5 in shipped code, because the filter's
 //! variance is left unsaid. Here it has a name.
 
+use super::projected::DiskKernel;
 use crate::error::Error;
 use crate::scalar::{Eigen, Psd, Real};
 use crate::slope::Footprint;
@@ -106,7 +107,7 @@ impl<R: Real> Kernel<R> {
     /// ```
     #[inline]
     pub fn tokuyoshi_forward(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Self {
-        Self::of(&Footprint::from_disk_narrowed(u, v), PixelFilter::KAPLANYAN)
+        DiskKernel::of(u, v, PixelFilter::KAPLANYAN).as_slopes()
     }
 
     /// A kernel of this covariance: an area light, a depth of field, a normal map's spread.

@@ -9,7 +9,10 @@ mod edges;
 mod frame;
 mod gaussian;
 mod kernel;
+mod light;
 mod polygon;
+pub mod preset;
+mod projected;
 mod proxy;
 pub mod published;
 mod segment;
@@ -17,9 +20,14 @@ mod strip;
 mod thin;
 
 pub use beckmann::beckmann_rectangle_mean;
-pub use deferred::tokuyoshi_deferred_alpha;
+pub use deferred::{
+    ShadingFrame, kaplanyan_deferred_alpha, kaplanyan_deferred_alphas, largest_deferred_alpha,
+    quad_normal_footprint, tokuyoshi_deferred_alpha, tokuyoshi_kaplanyan_deferred_alpha,
+};
 pub use gaussian::ggx_gaussian_mean;
 pub use kernel::{Kernel, PixelFilter};
+pub use light::SphericalGaussian;
+pub use projected::{DiskKernel, projected_alpha};
 pub use proxy::{box_peak_alpha, gaussian_peak_alpha};
 pub use published::{
     kaplanyan_proxy_alpha, kaplanyan_rectangle_mean, kaplanyan_rectangle_mean_as_printed,

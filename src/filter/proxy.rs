@@ -150,8 +150,8 @@ impl<R: Real> Roughness<R> {
         self.with_peak(&kernel.covariance().scaled(R::TWO), peak, [1.0, 2.0])
     }
 
-    /// The same by a fit of three roots and three quotients: the peak is within 1.3 % for any A and kernel, and
-    /// within 0.04 % where both are isotropic.
+    /// The same by a fit without transcendental functions: the peak is within 1.3 % for any A and kernel; where both
+    /// are isotropic, alpha'^2 is within 0.04 %.
     ///
     /// Against variance addition's 8 to 24 % this is the better proxy at nearly its price. A mirror becomes the
     /// kernel; a kernel of 0 leaves A.

@@ -1,6 +1,8 @@
 //! Floats without microfacets: precision, elementary functions, exact products, small matrices.
 
 pub(crate) mod atan;
+#[cfg(feature = "count")]
+pub mod count;
 pub(crate) mod erfc;
 pub(crate) mod exact;
 pub(crate) mod exp;

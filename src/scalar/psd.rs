@@ -65,6 +65,12 @@ impl<R: Real> Psd<R> {
         Self { xx, xy, yy, root_det: det.max(R::ZERO).sqrt() }
     }
 
+    /// The matrix with these entries, `xx`, `xy`, `yy`, whose determinant is known better than they tell it.
+    #[inline(always)]
+    pub(crate) fn with_root_det([xx, xy, yy]: [R; 3], root_det: R) -> Self {
+        Self { xx, xy, yy, root_det }
+    }
+
     /// The nearest positive semi-definite matrix: negative eigenvalues become 0.
     ///
     /// For covariances that storage has rounded; [`Psd::new`] refuses what this mends. Entries up to $10^{18}$;

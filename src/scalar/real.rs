@@ -1,12 +1,13 @@
 //! The one trait over f32 and f64 that every formula is written in.
 //!
-//! Floor 0. Sealed: the polynomials behind `exp`, `atan` and `erfc` exist for these two widths only.
+//! Floor 0. Sealed: the polynomials behind `exp`, `atan` and `erfc` exist for these two widths only. (The feature
+//! `count` adds an f32 that counts.)
 
 use super::{atan, erfc, exp, ln, math};
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-mod sealed {
+pub(super) mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
