@@ -226,3 +226,19 @@ fn decompositions_are_those_of_nalgebra() {
     check(50_000, decomposes::<f64>);
     check(50_000, decomposes::<f32>);
 }
+
+/// A right angle's cosine is 6e-17, and its square at the end of f32.
+#[test]
+fn an_axis_that_is_a_rounding_of_zero_does_not_count() {
+    let lobe = Psd::new(9.2386e-6_f32, 0.0, 1e-8).expect("positive");
+    let along_y = |x: f32| Psd::outer_sum([x, 4e-3], [-0.37 * x, -4e-3]);
+    let want = lobe.plus(&along_y(0.0)).root_det();
+    for x in [1e-17_f32, 1e-18, 2.7e-19, 1e-19, 1e-22] {
+        for half in [along_y(x), along_y(x).scaled(0.16)] {
+            let whole = half.plus(&half).scaled(0.5);
+            let scale = half.entries()[2] / along_y(0.0).entries()[2];
+            let got = lobe.plus(&whole.scaled(1.0 / scale)).root_det();
+            assert!((got / want - 1.0).abs() < 1e-6, "{x:e}: {got:e}, not {want:e}");
+        }
+    }
+}

@@ -141,6 +141,9 @@ pub fn kaplanyan_deferred_alphas<R: Real>(
 
 /// The same for a G-buffer with one channel: the larger width.
 ///
+/// Not the bound on the kernel that Tokuyoshi 2017, section 4, takes it for: where the change runs along the diagonal
+/// it adds half of what the largest eigenvalue does ([`largest_deferred_alpha`]).
+///
 /// Source: Kaplanyan et al. 2016, section 5.4; Tokuyoshi 2017, Listing 3.
 ///
 /// # Errors

@@ -120,11 +120,11 @@ impl<R: Real> Roughness<R> {
     #[must_use]
     #[inline]
     pub fn widened_on_disk(&self, kernel: &DiskKernel<R>) -> Self {
-        let matrix = self.matrix();
         let added = bounded(kernel.covariance.scaled(R::TWO));
-        let Eigen { major, minor, axis: [cos, sin] } = matrix.eigen();
+        let eigen = self.matrix().eigen();
+        let Eigen { major, minor, axis: [cos, sin] } = eigen;
         if major < R::ONE {
-            return Self::from_matrix(from_disk(&to_disk(&matrix, major, minor).plus(&added)));
+            return Self::from_matrix(from_disk(&to_disk(eigen).plus(&added)));
         }
         if !(minor < R::ONE) {
             return *self;
@@ -168,16 +168,15 @@ fn filtered_square<R: Real>(square: R, added: R) -> R {
     (square + seen) / (R::ONE + seen)
 }
 
-/// $A_\perp = (A - \det A\, I)/((1 - a_1)(1 - a_2))$, for eigenvalues below 1.
+/// $A_\perp = (A^{-1} - I)^{-1}$, for eigenvalues below 1: $a/(1 - a)$ along each axis.
+///
+/// By axes, as entries less determinants would lose the minor one where the major nears 1.
 #[inline(always)]
-fn to_disk<R: Real>(matrix: &Psd<R>, major: R, minor: R) -> Psd<R> {
-    let [xx, xy, yy] = matrix.entries();
-    let det = matrix.det();
-    // A rounding of 1 - a is a rounding of a: entries and determinant share this one.
-    let inverse = R::ONE / ((R::ONE - major) * (R::ONE - minor));
+fn to_disk<R: Real>(Eigen { major, minor, axis: [cos, sin] }: Eigen<R>) -> Psd<R> {
+    let [p, q] = [major, minor].map(|a| a / (R::ONE - a));
     let entries =
-        [(xx - det).max(R::ZERO) * inverse, xy * inverse, (yy - det).max(R::ZERO) * inverse];
-    Psd::with_root_det(entries, matrix.root_det() * inverse.sqrt())
+        [p * cos * cos + q * sin * sin, (p - q) * cos * sin, p * sin * sin + q * cos * cos];
+    Psd::with_root_det(entries, p.sqrt() * q.sqrt())
 }
 
 /// $A = (A_\perp + \det A_\perp\, I)/(1 + \mathrm{tr} A_\perp + \det A_\perp)$.
