@@ -131,7 +131,10 @@ fn a_small_light_s_reflection_is_that_of_the_widened_lobe() {
             let wi = unit([x, y, 0.8]);
             let [wide, small] =
                 [1600.0, 25_600.0].map(|sharpness| reflection(wo, wi, alpha, sharpness)[0].abs());
-            assert!(small < 0.015 && small < 0.5 * wide.max(5e-3), "{alpha} ({x}, {y}): {wide} {small}");
+            assert!(
+                small < 0.015 && small < 0.5 * wide.max(5e-3),
+                "{alpha} ({x}, {y}): {wide} {small}"
+            );
         }
     }
 }

@@ -192,26 +192,22 @@ impl<R: Real> Psd<R> {
     }
 
     /// $\mathrm{tr}(\mathrm{adj}(A)\, B)$ as a sum of squares: with `u = a_xx b_xy - a_xy b_xx`,
-    /// $(u^2 + \det A\, b_{xx}^2 + \det B\, a_{xx}^2) / (a_{xx} b_{xx})$, or the same in y.
-    ///
-    /// Along the axis where the smaller of both is larger: the other may be a rounding of 0, such as the cosine of
-    /// a right angle, whose square has no digits.
+    /// $(u^2 + \det A\, b_{xx}^2 + \det B\, a_{xx}^2) / (a_{xx} b_{xx})$.
     #[inline]
     pub(crate) fn mixed_det(&self, other: &Self) -> R {
-        let along_y = self.yy.min(other.yy) > self.xx.min(other.xx);
-        let (a, a_other) = if along_y { (self.yy, self.xx) } else { (self.xx, self.yy) };
-        let (b, b_other) = if along_y { (other.yy, other.xx) } else { (other.xx, other.yy) };
-        let u = difference_of_products(a, other.xy, self.xy, b);
-        let least = R::MIN_POSITIVE;
-        let (inverse, inverse_other) = (R::ONE / a.max(least), R::ONE / b.max(least));
+        let u = difference_of_products(self.xx, other.xy, self.xy, other.xx);
+        // Below this the entries and their products have no digits to divide by: the square of a right angle's
+        // cosine, 6e-17, already is at the end of f32.
+        let least = R::MIN_POSITIVE / (R::EPSILON * R::EPSILON);
+        let (inverse, inverse_other) = (R::ONE / self.xx.max(least), R::ONE / other.xx.max(least));
         // Quotients first: squares of the smallest entries underflow in f32.
         let quotient = |inverse: R| (u * inverse).abs().min(R::MAX);
         let squares = quotient(inverse) * quotient(inverse_other)
-            + b * (self.root_det * (self.root_det * inverse))
-            + a * (other.root_det * (other.root_det * inverse_other));
-        // Neither axis has both: each matrix is along one, its xy is 0 and no term cancels.
-        let products = a * b_other + a_other * b;
-        if a.min(b) < least { products } else { squares }
+            + other.xx * (self.root_det * (self.root_det * inverse))
+            + self.xx * (other.root_det * (other.root_det * inverse_other));
+        // One of the two is a line along y, or nothing: its xy is 0, or nearly, and no term cancels.
+        let products = self.xx * other.yy + self.yy * other.xx - R::TWO * self.xy * other.xy;
+        if self.xx.min(other.xx) < least { products.max(R::ZERO) } else { squares }
     }
 
     /// $w^T M w$, as a sum of squares: exact to a few ulp even along the minor axis.
