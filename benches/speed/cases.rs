@@ -5,9 +5,9 @@
 
 use super::hand_written;
 use super::samples::{COUNT, Regime, Sample, samples};
+use lobe::filter::{self, DiskKernel};
 use lobe::{
     AxisAligned, Beckmann, Footprint, Full, Ggx, Isotropic, Kernel, PixelFilter, Roughness, Tilted,
-    filter,
 };
 use std::hint::black_box;
 
@@ -92,9 +92,17 @@ fn shading() -> Vec<Case> {
         case(GROUP, "beckmann_isotropic", round, |&(shape, wo, wi)| {
             Beckmann::new(shape).brdf(wo, wi)
         }),
-        case(GROUP, "variance_addition", filtered, |&(roughness, footprint, wo, wi)| {
+        case(GROUP, "variance_addition", filtered.clone(), |&(roughness, footprint, wo, wi)| {
             let widened = roughness.widened(&Kernel::of(&footprint, PixelFilter::BOX));
             Ggx::new(Full::new(widened)).brdf(wo, wi)
+        }),
+        case(GROUP, "peak_fitted", filtered.clone(), |&(roughness, footprint, wo, wi)| {
+            let widened = roughness.peak_fitted(&Kernel::of(&footprint, PixelFilter::BOX));
+            Ggx::new(Full::new(widened)).brdf(wo, wi)
+        }),
+        case(GROUP, "projected_space", filtered, |&(roughness, footprint, wo, wi)| {
+            let kernel = DiskKernel::of(footprint.u, footprint.v, PixelFilter::BOX);
+            Ggx::new(Full::new(roughness.widened_on_disk(&kernel))).brdf(wo, wi)
         }),
     ]
 }

@@ -15,8 +15,15 @@ const PROMISES: [(&str, &str, &str); 6] = [
 ];
 
 /// What more roughness, or a check per sample, costs.
-const COSTS: [&str; 5] =
-    ["isotropic_per_sample", "full", "tilted_full", "beckmann_isotropic", "variance_addition"];
+const COSTS: [&str; 7] = [
+    "isotropic_per_sample",
+    "full",
+    "tilted_full",
+    "beckmann_isotropic",
+    "variance_addition",
+    "peak_fitted",
+    "projected_space",
+];
 
 /// Rounds of a comparison, and passes over all samples in each turn of a round.
 const ROUNDS: usize = 101;

@@ -121,7 +121,14 @@ impl<R: Real> Roughness<R> {
     #[inline]
     pub fn widened_on_disk(&self, kernel: &DiskKernel<R>) -> Self {
         let added = bounded(kernel.covariance.scaled(R::TWO));
-        let eigen = self.matrix().eigen();
+        let matrix = self.matrix();
+        // det (I - A), as the product of 1 - a; both factors may be negative.
+        let complement = R::ONE - matrix.trace() + matrix.det();
+        let smooth = matrix.trace() < R::TWO;
+        if smooth && complement >= R::lit(0.125) {
+            return Self::from_matrix(filtered(&matrix, &added, complement));
+        }
+        let eigen = matrix.eigen();
         let Eigen { major, minor, axis: [cos, sin] } = eigen;
         if major < R::ONE {
             return Self::from_matrix(from_disk(&to_disk(eigen).plus(&added)));
@@ -166,6 +173,24 @@ pub fn projected_alpha<R: Real>(alpha: R, added: R) -> Result<R, Error> {
 fn filtered_square<R: Real>(square: R, added: R) -> R {
     let seen = (R::ONE - square) * added;
     (square + seen) / (R::ONE + seen)
+}
+
+/// $A' = \frac{A + c K + (m + c \det K) I}{1 + c\,\mathrm{tr} K + m + c \det K}$, $c = \det(I - A)$, $m =
+/// \mathrm{tr}(\mathrm{adj}(A) K) - \det A\,\mathrm{tr} K$: there and back in one, for eigenvalues below 1.
+///
+/// All terms are at least 0 and no inverse is taken; only m cancels as an eigenvalue nears 1.
+#[inline(always)]
+fn filtered<R: Real>(matrix: &Psd<R>, added: &Psd<R>, complement: R) -> Psd<R> {
+    let ([xx, xy, yy], [k_xx, k_xy, k_yy]) = (matrix.entries(), added.entries());
+    let spread = (matrix.mixed_det(added) - matrix.det() * added.trace()).max(R::ZERO);
+    let both = spread + complement * added.det();
+    let inverse = R::ONE / (R::ONE + complement * added.trace() + both);
+    let entries = [
+        (xx + complement * k_xx + both) * inverse,
+        (xy + complement * k_xy) * inverse,
+        (yy + complement * k_yy + both) * inverse,
+    ];
+    Psd::with_root_det(entries, ((matrix.det() + both) * inverse).sqrt())
 }
 
 /// $A_\perp = (A^{-1} - I)^{-1}$, for eigenvalues below 1: $a/(1 - a)$ along each axis.
