@@ -111,8 +111,8 @@ fn exponential_integrals<R: Real>(source: &mut Source) -> TestCaseResult {
     };
     let reach = 36.0 + x.ln().abs();
     let want = alpha / trapezoid(&mut integrand, reach, 0.0625).sqrt();
-    // A sum of a thousand terms is good to 2e-15.
-    near(proxy, want, (FEW * R::EPSILON.to_f64() + 2e-15) * want, &(alpha, sigma, x))
+    // Near x = 1 the series multiplies a rounding by five; the reference, a sum of a thousand terms, errs by 2e-15.
+    near(proxy, want, (2.0 * FEW * R::EPSILON.to_f64() + 2e-15) * want, &(alpha, sigma, x))
 }
 
 #[test]

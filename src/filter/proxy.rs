@@ -54,7 +54,7 @@ pub fn box_peak_alpha<R: Real>(alpha: R, width: R) -> Result<R, Error> {
 /// alpha of the GGX with the peak of GGX under an isotropic Gaussian of deviation `sigma`.
 ///
 /// $\alpha'^2 = k / (1 - x e^x E_1(x))$ with $k = 2\sigma^2$, $x = \alpha^2/k$: $\alpha^2 + 2k$ for small k, $k$ for
-/// large. Computed as $\alpha^2 + k g(x)$, $1 < g \le 2$: a few roundings in f32, 1e-15 in f64.
+/// large. Computed as $\alpha^2 + k g(x)$, $1 < g \le 2$: 1e-6 in f32, 1e-15 in f64.
 ///
 /// Source: derived here from the mixture of [`ggx_gaussian_mean`] at the lobe's centre.
 ///
