@@ -3,7 +3,7 @@
 mod common;
 
 use common::arbitrary::Source;
-use common::{ULP_SINGLE, check, ensure, near};
+use common::{ULP_SINGLE, check, near};
 use core::fmt::Debug;
 use lobe::slope::Motion;
 use lobe::{Error, Footprint, Path, Real, Vertex};
@@ -297,34 +297,4 @@ fn half_vectors_below_the_horizon_are_refused() {
     let motion = path.motion([1.0, 0.0]);
     assert_eq!(Footprint::from_motion(path.half(), &motion, &motion), Err(Error::HalfVector));
     assert_eq!((path.slope_jacobian(), path.plane_point()), ([[0.0; 2]; 2], [0.0; 2]));
-}
-
-#[test]
-fn footprints_scale_and_stay_within_limits() {
-    check(10_000, |source| {
-        let (footprint, factor) = (source.footprint(), source.log_uniform(1e-3, 1e3));
-        let scaled = footprint.scaled(factor);
-        let area = footprint.area() * factor * factor;
-        near(
-            scaled.area(),
-            area,
-            1e-12 * area + 1e-15 * factor * factor * footprint.diameter().powi(2),
-            &footprint,
-        )?;
-        let limit = source.log_uniform(1e-4, 1e3);
-        let (wide, within) = (footprint.extents(), footprint.bounding_within(limit));
-        ensure(
-            within.extents() == wide.map(|x| x.min(limit)),
-            "no wider than the limit",
-            &(footprint, limit),
-        )?;
-        ensure(within.u[1] == 0.0 && within.v[0] == 0.0, "along the axes", &within)?;
-        let unlimited = footprint.bounding_within(f64::INFINITY) == footprint.bounding();
-        ensure(unlimited, "no limit, no change", &footprint)?;
-        ensure(
-            footprint.bounding_within(-1.0) == Footprint::default(),
-            "negative counts as 0",
-            &footprint,
-        )
-    });
 }
