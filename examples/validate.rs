@@ -61,13 +61,13 @@ impl<'a> Line<'a> {
 fn print_lines(lines: &[Line], out: &mut impl Write) -> std::io::Result<()> {
     writeln!(
         out,
-        "{:24} {:>4} {:>6} {:>9} {:>9} {:>9} {:>6} {:>4}",
+        "{:25} {:>4} {:>6} {:>9} {:>9} {:>9} {:>6} {:>4}",
         "table", "", "rows", "max rel", "99 % rel", "max ulp", "worst", "bad"
     )?;
     for line in lines {
         writeln!(
             out,
-            "{:24} {:>4} {:>6} {:>9.1e} {:>9.1e} {:>9.3} {:>6} {:>4}{}",
+            "{:25} {:>4} {:>6} {:>9.1e} {:>9.1e} {:>9.3} {:>6} {:>4}{}",
             line.table,
             line.precision,
             line.rows,

@@ -41,6 +41,8 @@ const BECKMANN_SINGLE: Budget = budget(2e-4, 2e-5);
 const LAMBDA_SINGLE: Budget = budget(1e-2, 2e-4);
 /// Means over polygons in f32: 1e-5 near the lobe, 1e-3 anywhere.
 const MEAN_SINGLE: Budget = budget(1e-3, 1e-5);
+/// The one number of a proxy in f32: a few roundings.
+const PROXY_SINGLE: Budget = budget(3e-6, 1e-6);
 /// Closed forms in f64.
 const DOUBLE: Budget = budget(1e-12, 1e-12);
 /// Quadratures in f64.
@@ -64,6 +66,8 @@ pub(crate) const BUDGETS: &[(&str, Budget, Budget)] = &[
     ("ggx_rectangle_mean", MEAN_SINGLE, MEAN_DOUBLE),
     ("ggx_parallelogram_mean", MEAN_SINGLE, MEAN_DOUBLE),
     ("ggx_gaussian_mean", MEAN_SINGLE, MEAN_DOUBLE),
+    ("ggx_proxy_rectangle_alpha", PROXY_SINGLE, DOUBLE),
+    ("ggx_proxy_gaussian_alpha", PROXY_SINGLE, DOUBLE),
     ("jacobians", MATRIX_SINGLE, DOUBLE),
     ("half_slope_jacobian", MATRIX_SINGLE, DOUBLE),
     ("chermain_m", MATRIX_SINGLE, DOUBLE),

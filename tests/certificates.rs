@@ -41,6 +41,12 @@ fn exp_errs_as_stated() {
 }
 
 #[test]
+fn ln_errs_as_stated() {
+    // From the smallest subnormal number.
+    holds(0.84, worst(f32::from_bits(1), f32::MAX, 1.0, Real::ln, pxfm::f_log));
+}
+
+#[test]
 fn atan_errs_as_stated() {
     holds(1.86, worst(1e-9, 1e9, 1.0, Real::atan, pxfm::f_atan));
 }

@@ -225,3 +225,33 @@ fn variance_addition_is_as_wrong_as_documented() {
         assert!((excess - percent).abs() <= 0.5, "{excess} % at k/alpha^2 = {ratio}");
     }
 }
+
+#[test]
+fn footprints_scale_and_stay_within_limits() {
+    check(10_000, |source| {
+        let (footprint, factor) = (source.footprint(), source.log_uniform(1e-3, 1e3));
+        let scaled = footprint.scaled(factor);
+        let area = footprint.area() * factor * factor;
+        near(
+            scaled.area(),
+            area,
+            1e-12 * area + 1e-15 * factor * factor * footprint.diameter().powi(2),
+            &footprint,
+        )?;
+        let limit = source.log_uniform(1e-4, 1e3);
+        let (wide, within) = (footprint.extents(), footprint.bounding_within(limit));
+        ensure(
+            within.extents() == wide.map(|x| x.min(limit)),
+            "no wider than the limit",
+            &(footprint, limit),
+        )?;
+        ensure(within.u[1] == 0.0 && within.v[0] == 0.0, "along the axes", &within)?;
+        let unlimited = footprint.bounding_within(f64::INFINITY) == footprint.bounding();
+        ensure(unlimited, "no limit, no change", &footprint)?;
+        ensure(
+            footprint.bounding_within(-1.0) == Footprint::default(),
+            "negative counts as 0",
+            &footprint,
+        )
+    });
+}

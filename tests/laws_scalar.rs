@@ -7,6 +7,7 @@ use common::quadrature::trapezoid;
 use common::{check, ensure, near};
 use core::fmt::Debug;
 use lobe::Real;
+use lobe::filter::gaussian_peak_alpha;
 use proptest::test_runner::TestCaseResult;
 
 /// A few roundings and the polynomial's own error.
@@ -41,6 +42,83 @@ fn exponentials<R: Real>(source: &mut Source, largest: f64) -> TestCaseResult {
 fn exp_is_exp() {
     check(50_000, |source| exponentials::<f64>(source, 708.0));
     check(50_000, |source| exponentials::<f32>(source, 87.0));
+}
+
+/// A positive number: any, near 1, subnormal, or at a power of two or of root two, where the reduction steps.
+fn positive<R: Real>(source: &mut Source) -> R {
+    let (least, largest) = (R::MIN_POSITIVE.to_f64(), R::MAX.to_f64());
+    let power = |exponent: u64| f64::from(exponent as u32).exp2();
+    let x = match source.pick(6) {
+        0 => source.uniform(0.0, 10.0),
+        1 => 1.0 + source.log_uniform(1e-12, 0.5) * source.sign(),
+        2 => source.unit() * least,
+        3 => {
+            let whole = power(source.pick(100)) / power(source.pick(100));
+            source.nudged(whole)
+        }
+        4 => {
+            let root = power(source.pick(100)) * core::f64::consts::FRAC_1_SQRT_2;
+            source.nudged(root)
+        }
+        // The quotient of the two is no f64.
+        _ => source.uniform(least.ln(), largest.ln()).exp(),
+    };
+    R::lit(x)
+}
+
+/// One rounding away from the correctly rounded one: ours is less than a unit wrong.
+fn logarithms<R: Real>(source: &mut Source) -> TestCaseResult {
+    let x: R = positive(source);
+    if x == R::ZERO {
+        return ensure(x.ln() == R::lit(f64::NEG_INFINITY), "minus infinity at 0", &x);
+    }
+    let want = pxfm::f_log(x.to_f64());
+    near(x.ln().to_f64(), want, R::EPSILON.to_f64() * want.abs(), &x)?;
+    ensure((x.ln() >= R::ZERO) == (x >= R::ONE), "0 at 1, with its sign on both sides", &x)?;
+    // ln undoes exp to the rounding of what it is given.
+    let y: R = number(source, if R::SINGLE { 87.0 } else { 708.0 });
+    let tolerance = R::EPSILON.to_f64() * (1.0 + y.abs().to_f64());
+    near(y.exp().ln().to_f64(), y.to_f64(), tolerance, &y)?;
+    // And exp undoes ln, to the rounding of the logarithm, which it multiplies by its size.
+    let tolerance = R::EPSILON.to_f64() * (2.0 + want.abs());
+    let back = x.ln().exp().to_f64() / x.to_f64();
+    ensure((back - 1.0).abs() <= tolerance || x < R::MIN_POSITIVE, "exp undoes ln", &(x, back))
+}
+
+#[test]
+fn ln_is_ln() {
+    check(100_000, logarithms::<f64>);
+    check(100_000, logarithms::<f32>);
+}
+
+/// e^x E_2(x) = 1 - x e^x E_1(x), by what is made of it: alpha'^2 = k/(e^x E_2(x)), k = 2 sigma^2, x = alpha^2/k.
+fn exponential_integrals<R: Real>(source: &mut Source) -> TestCaseResult {
+    let (alpha, sigma) = match source.pick(4) {
+        0 => (source.alpha(), source.alpha()),
+        1 => (0.1, source.log_uniform(0.01, 0.5)),
+        // The bound between series and fraction, x = 1.
+        2 => (source.nudged(0.1), source.nudged(0.1 * 0.5_f64.sqrt())),
+        _ => (source.log_uniform(1e-9, 1e9), source.log_uniform(1e-9, 1e9)),
+    };
+    let (alpha, sigma): (R, R) = (R::lit(alpha), R::lit(sigma));
+    let proxy = gaussian_peak_alpha(alpha, sigma).expect("in range").to_f64();
+    let (alpha, sigma) = (alpha.to_f64(), sigma.to_f64());
+    let x = alpha * alpha / (2.0 * sigma * sigma);
+    // x e^x E2(x) is the integral of e^-u/(1 + u/x)^2; with u = e^y analytic for |Im y| < pi/2.
+    let mut integrand = |y: f64| {
+        let u = y.exp();
+        u * (-u).exp() / ((1.0 + u / x) * (1.0 + u / x))
+    };
+    let reach = 36.0 + x.ln().abs();
+    let want = alpha / trapezoid(&mut integrand, reach, 0.0625).sqrt();
+    // Near x = 1 the series multiplies a rounding by five; the reference, a sum of a thousand terms, errs by 2e-15.
+    near(proxy, want, (2.0 * FEW * R::EPSILON.to_f64() + 2e-15) * want, &(alpha, sigma, x))
+}
+
+#[test]
+fn the_exponential_integral_is_its_integral() {
+    check(20_000, exponential_integrals::<f64>);
+    check(20_000, exponential_integrals::<f32>);
 }
 
 fn arctangents<R: Real>(source: &mut Source) -> TestCaseResult {
@@ -129,6 +207,10 @@ fn edges<R: Real>() {
     assert_eq!((infinity.erfc(), (-infinity).erfc()), (zero, R::TWO));
     assert_eq!((zero.atan2(zero), zero.atan2(one)), (zero, zero));
     assert_eq!((zero.atan2(-one), one.atan2(zero)), (R::PI, R::HALF * R::PI));
+    let nan = |x: R| !(x >= zero) && !(x < zero);
+    assert_eq!((one.ln(), zero.ln(), infinity.ln()), (zero, -infinity, infinity));
+    assert_eq!((-zero).ln(), -infinity);
+    assert!([-one, -R::MIN_POSITIVE, -infinity, R::lit(f64::NAN)].iter().all(|x| nan(x.ln())));
     assert!(R::lit(f64::NAN).exp().is_finite() == R::lit(f64::NAN).is_finite());
 }
 

@@ -31,7 +31,7 @@ impl PixelFilter {
     /// A Gaussian whose peak is one per pixel, $1/(2\pi)$: Tokuyoshi & Kaplanyan 2021.
     ///
     /// Also what makes variance addition meet the peak of GGX over a large square pixel: it adds $w^2/\pi$, and is
-    /// within 0.9 % of [`box_peak_alpha`](super::box_peak_alpha) at any width.
+    /// within 0.55 % of [`box_peak_alpha`](super::box_peak_alpha) at any width.
     pub const TOKUYOSHI_KAPLANYAN: Self = Self { variance: 0.5 * core::f64::consts::FRAC_1_PI };
 
     /// What Kaplanyan's "GGX proxy", $\alpha^2 + w^2$, comes to: 1/2. Six times the box's variance, and a peak up to

@@ -28,6 +28,11 @@ Formulas, by table:
                       area is zero, its limit: closed forms along a line
   ggx_gaussian_mean   GGX is the mixture integral e^-t P_beckmann(s; A/t) dt; convolution with N(0, K) adds 2 K to each
                       A/t; trapezoid rule in ln t
+  ggx_proxy_rectangle_alpha
+                      alpha of the GGX as high as GGX averaged over a square: Kaplanyan et al. 2016, Eq. 20, re-derived from
+                      Eq. 18 and 19
+  ggx_proxy_gaussian_alpha
+                      alpha of the GGX as high as GGX under an isotropic Gaussian, through the exponential integral
   jacobians           Tokuyoshi 2017, "Error Reduction and Simplification for Shading Anti-Aliasing", Eqs. 5, 8, 25; the
                       sphere's frame: along the meridian away from n, then along n x h
   half_slope_jacobian Kaplanyan et al. 2016, Eq. 4
@@ -43,6 +48,8 @@ integration converges; in arbitrary precision on rows of every kind:
   parallelograms      against two-dimensional quadrature of P22; line by line; those of no area against very thin ones
   Gaussian mean       against quadrature of the convolution (all rows of singular K); against an adaptive rule for the
                       mixture; at the peak against the exponential integral
+  proxies             the peak 1/(pi alpha'^2): of squares against the rectangle's formula (all rows) and line by line, of
+                      Gaussians against the mixture and by quadrature over the radius
   Jacobians           against numerical derivatives of the maps, all rows
   half-slope Jacobian against numerical derivatives over a curved surface, all rows
   Chermain's M        sigma_o^2 M M^T is the covariance, all rows
@@ -776,6 +783,46 @@ def gaussian_inputs(rng, row):
 
 
 # ---------------------------------------------------------------------------------------------------------------
+# Proxies: the alpha of a GGX that is as high at its centre as the filtered one
+
+
+def proxy_rectangle(alpha, width):
+    """1/(pi alpha'^2) is the mean of GGX over the square of this width around its centre."""
+    if not width:
+        return alpha
+    diagonal = mp.sqrt(4 * alpha**2 + width**2)
+    return mp.sqrt(width * diagonal / (4 * mp.atan(width / diagonal)))
+
+
+def proxy_gaussian(alpha, sigma):
+    """1/(pi alpha'^2) is GGX under N(0, sigma^2 I) at its centre."""
+    if not sigma or not alpha:
+        return mp.sqrt(2) * sigma if sigma else alpha
+    k = 2 * sigma**2
+    x = alpha**2 / k
+    return mp.sqrt(k / (1 - x * mp.exp(x) * mp.e1(x)))
+
+
+def proxy_inputs(rng, row):
+    """Sizes of 1e-4 to 1e4 alphas; ends of both ranges, equal ones, none, and mirrors."""
+    alpha, ratio = f32(log_uniform(rng, 1e-4, 30)), log_uniform(rng, 1e-4, 1e4)
+    if row % 10 < 9:
+        return alpha, f32(alpha * ratio)
+    size = f32(log_uniform(rng, 1e-8, 3e5))
+    return [
+        (alpha, 0.0),
+        (alpha, alpha),
+        f32s(1e-4, 1e-8),
+        f32s(1e-4, 1),
+        f32s(30, 3e-3),
+        f32s(30, 3e5),
+        (0.0, size),
+        (alpha, f32(2 * alpha)),
+        (0.0, 0.0),
+    ][row // 10 % 9]
+
+
+# ---------------------------------------------------------------------------------------------------------------
 # Jacobians
 
 
@@ -943,6 +990,8 @@ TABLES = {
         f"slope_x slope_y u_x u_y v_x v_y {MATRIX}", parallelogram_inputs, ggx_parallelogram
     ),
     "ggx_gaussian_mean": Integral(f"slope_x slope_y k_xx k_xy k_yy {MATRIX}", gaussian_inputs, ggx_gaussian, rows=200),
+    "ggx_proxy_rectangle_alpha": Table("alpha width", proxy_inputs, proxy_rectangle, rows=300),
+    "ggx_proxy_gaussian_alpha": Table("alpha sigma", proxy_inputs, proxy_gaussian, rows=300),
     "jacobians": Table(
         "h_x h_y",
         jacobian_inputs,
@@ -1315,6 +1364,55 @@ def check_peak(_, tables):
     return worst(error(ggx_gaussian(*map(mpf, (0, 0, k / 2, 0, k / 2, a, 0, a))), peak(a, k)) for a, k in cases)
 
 
+def proxy_peaks(tables, stem, mean, step):
+    """The peak of every `step`-th proxy that is no mirror, against `mean` of the same row."""
+    rows = [(list(map(mpf, row)), out[0]) for row, out in tables[stem][::step] if row[0]]
+    with mp.workdps(40):
+        return worst(error(mean(*row), 1 / (mp.pi * alpha**2)) for row, alpha in rows)
+
+
+def check_proxy_rectangle(_, tables):
+    def mean(alpha, width):
+        # Doubles its precision until small squares, whose terms cancel, agree.
+        return stable(ggx_rectangle, (0, 0, width / 2, width / 2, alpha, alpha))[0]
+
+    return proxy_peaks(tables, "ggx_proxy_rectangle_alpha", mean, 1)
+
+
+def check_proxy_lines(_, tables):
+    """Exact along one side of the square, quadrature across."""
+
+    def mean(alpha, width):
+        half = width / (2 * alpha)
+        if not half:
+            return 1 / (mp.pi * alpha**2)
+        cuts = [mpf(10) ** k for k in range(-1, 4) if mpf(10) ** k < half]
+        line = mp.quad(lambda y: ggx_segment(0, half, 1 + y * y) * half, [0, *cuts, half])
+        return line / (half * alpha) ** 2
+
+    return proxy_peaks(tables, "ggx_proxy_rectangle_alpha", mean, 3)
+
+
+def check_proxy_mixture(_, tables):
+    def mean(alpha, sigma):
+        return ggx_gaussian(0, 0, sigma**2, 0, sigma**2, alpha**2, 0, alpha**2)
+
+    return proxy_peaks(tables, "ggx_proxy_gaussian_alpha", mean, 5)
+
+
+def check_proxy_radius(_, tables):
+    """Over u = r^2/(2 sigma^2), which the Gaussian weighs with e^-u."""
+
+    def mean(alpha, sigma):
+        ratio = 2 * (sigma / alpha) ** 2
+        width = 1 / (1 + ratio)
+        cuts = sorted({*[width * mpf(10) ** k for k in range(-2, 10)], mpf(1), mpf(5), mpf(20)})
+        body = mp.quad(lambda u: mp.exp(-u) / (1 + ratio * u) ** 2 / width, [0, *[x for x in cuts if x < 90], 90])
+        return body * width / (mp.pi * alpha**2)
+
+    return proxy_peaks(tables, "ggx_proxy_gaussian_alpha", mean, 3)
+
+
 def matrix_error(numeric, exact):
     return float(max(abs(x - y) for x, y in zip(numeric, exact)) / max(abs(y) for y in exact))
 
@@ -1400,6 +1498,10 @@ CHECKS = [
     ("Gaussian mean along a line", check_gaussian_line, GGX, 1e-12),
     ("Gaussian mean against adaptive rule", check_mixture, GGX, 1e-15),
     ("Gaussian peak against E1", check_peak, GGX, 1e-15),
+    ("square's proxy against the rectangle", check_proxy_rectangle, GGX, 1e-15),
+    ("square's proxy line by line", check_proxy_lines, GGX, 1e-15),
+    ("Gaussian's proxy against the mixture", check_proxy_mixture, GGX, 1e-15),
+    ("Gaussian's proxy over the radius", check_proxy_radius, GGX, 1e-15),
     ("Jacobians against derivatives", check_numeric("jacobians", jacobians_numeric), GGX, 1e-15),
     ("half-slope Jacobian against derivatives", check_numeric("half_slope_jacobian", half_slope_numeric), GGX, 1e-15),
     ("Chermain's M against the covariance", check_chermain, GGX, 1e-15),

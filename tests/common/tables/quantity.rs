@@ -31,6 +31,8 @@ enum Formula {
     GgxRectangle,
     GgxParallelogram,
     GgxGaussian,
+    RectangleProxy,
+    GaussianProxy,
     Jacobians,
     HalfSlopeJacobian,
     Chermain,
@@ -87,6 +89,8 @@ static QUANTITIES: &[Quantity] = &[
     quantity("ggx_rectangle_mean", RECTANGLE, Formula::GgxRectangle),
     quantity("ggx_parallelogram_mean", PARALLELOGRAM, Formula::GgxParallelogram),
     quantity("ggx_gaussian_mean", GAUSSIAN, Formula::GgxGaussian),
+    quantity("ggx_proxy_rectangle_alpha", &["alpha", "width"], Formula::RectangleProxy),
+    quantity("ggx_proxy_gaussian_alpha", &["alpha", "sigma"], Formula::GaussianProxy),
     matrix(
         "jacobians",
         &["h_x", "h_y"],
@@ -167,6 +171,8 @@ impl Quantity {
                 let lobe = Lobe::centred(roughness(&x[5..])?);
                 Ok(vec![filter::ggx_gaussian_mean(&lobe, [x[0], x[1]], &kernel)])
             },
+            Formula::RectangleProxy => |x| Ok(vec![filter::box_peak_alpha(x[0], x[1])?]),
+            Formula::GaussianProxy => |x| Ok(vec![filter::gaussian_peak_alpha(x[0], x[1])?]),
             Formula::Jacobians => |x| {
                 let h = direction::from_disk([x[0], x[1]]);
                 let matrices = [
