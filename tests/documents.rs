@@ -10,3 +10,17 @@ fn the_table_of_engines_is_what_its_example_prints() {
     let made = presets::table().expect("constants in range");
     assert_eq!(text, made, "cargo run --example presets > src/filter/preset.md");
 }
+
+/// Every erratum in README names a test of tests/errata.rs, and every such test is named.
+#[test]
+fn every_erratum_is_listed_with_its_test() {
+    let (readme, tests) = (include_str!("../README.md"), include_str!("errata.rs"));
+    let tests: Vec<&str> =
+        tests.split("#[test]\nfn ").skip(1).filter_map(|rest| rest.split('(').next()).collect();
+    assert!(tests.len() >= 10, "{tests:?}");
+    for name in &tests {
+        assert!(readme.contains(&format!("[`{name}`](tests/errata.rs)")), "README misses {name}");
+    }
+    let listed = readme.matches("](tests/errata.rs)").count();
+    assert_eq!(listed, tests.len(), "README lists a test that is not there");
+}

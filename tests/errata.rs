@@ -5,10 +5,11 @@
 mod common;
 
 use common::quadrature::{adaptive, over_plane, over_square, trapezoid};
+use common::reference::eigenvalues;
 use core::f64::consts::{FRAC_1_PI, PI, TAU};
 use lobe::filter::{
-    box_peak_alpha, kaplanyan_proxy_alpha, kaplanyan_rectangle_mean,
-    kaplanyan_rectangle_mean_as_printed,
+    box_peak_alpha, kaplanyan_deferred_alpha, kaplanyan_proxy_alpha, kaplanyan_rectangle_mean,
+    kaplanyan_rectangle_mean_as_printed, largest_deferred_alpha,
 };
 use lobe::slope::direction::normal_of;
 use lobe::slope::jacobian::{reflection_per_normal, slope_per_normal};
@@ -193,6 +194,19 @@ fn tokuyoshi_2017_eq_15_wants_h_x_in_its_first_term() {
     let up = [0.0, 0.0, 1.0];
     agree(ndf.d(up), 1.0 / (PI * alphas[0] * alphas[1]), 1e-14);
     assert!(printed(up) < 0.01 * ndf.d(up), "{} {}", printed(up), ndf.d(up));
+}
+
+/// Section 4 takes the rectangle's larger width for a bound on the kernel: along the diagonal it is half of it.
+#[test]
+fn tokuyoshi_2017_section_4_takes_a_width_for_a_bound() {
+    let (u, v, filter) = ([0.1, 0.1], [0.0, 0.0], PixelFilter::KAPLANYAN);
+    let [largest, _] = eigenvalues([u[0] * u[0], u[0] * u[1], u[1] * u[1]].map(|x| 0.5 * x));
+    let footprint = Footprint::from_slopes(u, v);
+    let width = kaplanyan_deferred_alpha(0.0, &footprint, filter, 0.18).unwrap().powi(2);
+    off_by(width, largest, 0.5);
+    let (dn_u, dn_v) = ([u[0], u[1], 0.0], [v[0], v[1], 0.0]);
+    let ours = largest_deferred_alpha(0.0, dn_u, dn_v, filter, 0.18).unwrap().powi(2);
+    agree(ours, largest, 1e-12);
 }
 
 /// In the frame of wo, d wi/d theta = 2 (cos phi cos 2 theta, sin phi cos 2 theta, -sin 2 theta).

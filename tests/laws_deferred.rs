@@ -69,17 +69,6 @@ fn deferred_forms_take_mean_largest_and_sum_of_the_eigenvalues() {
     check(20_000, forms_are_what_they_say);
 }
 
-/// Tokuyoshi 2017, section 4, takes the rectangle's larger width for a bound of the kernel; along the diagonal it is
-/// half of the largest eigenvalue.
-#[test]
-fn the_larger_width_is_no_bound_of_the_kernel() {
-    let (u, v) = ([0.1, 0.1], [0.0, 0.0]);
-    let footprint = Footprint::from_slopes(u, v);
-    let width = kaplanyan_deferred_alpha(0.0, &footprint, FILTER, 0.18).unwrap();
-    let largest = largest_deferred_alpha(0.0, in_space(u), in_space(v), FILTER, 0.18).unwrap();
-    assert!((largest.powi(2) / width.powi(2) - 2.0).abs() < 1e-12);
-}
-
 fn rectangles(source: &mut Source) -> TestCaseResult {
     let [u, v] = derivatives(source);
     let (x, y) = (source.log_uniform(1e-4, 0.5), source.log_uniform(1e-4, 0.5));
