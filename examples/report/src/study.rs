@@ -113,8 +113,8 @@ pub(crate) struct Study {
     pub(crate) name: String,
     pub(crate) caption: String,
     pub(crate) size: Size,
-    /// Part of the picture that is judged.
-    pub(crate) judged: f64,
+    /// The pixels that errors count, rows from the top.
+    pub(crate) judged: Vec<bool>,
     /// Nanoseconds of geometry per sample.
     pub(crate) geometry: f64,
     /// Nanoseconds per sample that motions take on top.
@@ -123,6 +123,14 @@ pub(crate) struct Study {
     pub(crate) disagreement: Option<Disagreement>,
     /// By light, then alpha, then distribution; the first one has pictures.
     pub(crate) panels: Vec<Panel>,
+}
+
+impl Study {
+    /// The part of the picture that is judged.
+    pub(crate) fn judged_part(&self) -> f64 {
+        let count = self.judged.iter().filter(|judged| **judged).count();
+        count as f64 / self.size.pixels() as f64
+    }
 }
 
 /// Steps of progress that one study reports: its rows, for the references and for every method.
@@ -175,12 +183,11 @@ impl Study {
             let under = Under { light, alphas, methods, times: &times, judged: &judged };
             panels.extend(under.panels(&references, pictures, shown));
         }
-        let count = judged.iter().filter(|judged| **judged).count();
         Ok(Self {
             name: subject.name,
             caption: subject.caption,
             size,
-            judged: count as f64 / size.pixels() as f64,
+            judged,
             geometry: timing.geometry,
             motion: timing.motion,
             disagreement,

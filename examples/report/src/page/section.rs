@@ -82,7 +82,7 @@ fn facts(study: &Study) -> String {
         "{} x {} pixels, {:.0} % of them judged; geometry {} ns per sample, {} ns more with motions.{footprints}",
         study.size.width,
         study.size.height,
-        100.0 * study.judged,
+        100.0 * study.judged_part(),
         significant(study.geometry),
         significant(study.motion),
     )
@@ -240,24 +240,29 @@ fn warnings(panel: &Panel) -> Vec<String> {
     unsure.into_iter().chain(worse).collect()
 }
 
-/// Pictures of a panel on its scale: unfiltered, best filter, reference. `None` if they were not kept.
-fn scaled_pictures(panel: &Panel) -> Option<[Vec<f64>; 3]> {
-    let scaled = |row: &Row| -> Option<Vec<f64>> {
-        Some(row.picture.as_ref()?.iter().map(|&x| f64::from(x) * panel.scale).collect())
+/// Pictures of a panel on its scale, black where it is not judged: unfiltered, best filter, reference. `None`
+/// if they were not kept.
+fn scaled_pictures(study: &Study, panel: &Panel) -> Option<[Vec<f64>; 3]> {
+    let scaled = |values: &mut dyn Iterator<Item = f64>| -> Vec<f64> {
+        let pixels = values.zip(&study.judged);
+        pixels.map(|(x, judged)| if *judged { x * panel.scale } else { 0.0 }).collect()
     };
-    let reference = panel.reference.as_ref()?.iter().map(|r| r * panel.scale).collect();
-    Some([scaled(panel.plain()?)?, scaled(panel.best()?)?, reference])
+    let picture = |row: &Row| -> Option<Vec<f64>> {
+        Some(scaled(&mut row.picture.as_ref()?.iter().map(|&x| f64::from(x))))
+    };
+    let reference = scaled(&mut panel.reference.as_ref()?.iter().copied());
+    Some([picture(panel.plain()?)?, picture(panel.best()?)?, reference])
 }
 
 /// Unfiltered, best and reference of the first distribution side by side, as a PNG file.
 pub(super) fn cover(study: &Study) -> Option<Vec<u8>> {
-    let [plain, best, reference] = scaled_pictures(study.panels.first()?)?;
+    let [plain, best, reference] = scaled_pictures(study, study.panels.first()?)?;
     Some(Tone::of(&reference).strip(study.size, &[&plain, &best, &reference]))
 }
 
 /// Unfiltered, best, reference and the difference of the last two.
 fn pictures(study: &Study, panel: &Panel) -> String {
-    let (Some([plain, filtered, reference]), Some(best)) = (scaled_pictures(panel), panel.best())
+    let (Some([plain, filtered, reference]), Some(best)) = (scaled_pictures(study, panel), panel.best())
     else {
         return String::new();
     };

@@ -91,7 +91,9 @@ impl<R: Scalar> Scene<R> {
     }
 
     /// What changes where the ray's direction does.
-    #[inline]
+    ///
+    /// Out of line: inlined twice, the two are packed into lanes through memory, and cost three times as much.
+    #[inline(never)]
     fn motion(&self, ray: &Ray<R>, change: [R; 3], hit: &Hit<R>, frame: &Frame<R>) -> Motion<R> {
         let length_squared = dot(ray.direction, ray.direction);
         // The hit stays on the tangent plane (Igehy 1999).

@@ -43,14 +43,14 @@ pub(super) struct Strips<R> {
 
 impl Strips<f64> {
     /// As many as the picture holds, and a caption. `unit` is a pixel's width at the origin, which the camera
-    /// looks at along +y; `aims` are the directions to the lights, in turn: each strip's middle reflects
-    /// its light to the eye.
+    /// looks at along +y. `aim` is the direction from a place to a light, for the even and for the odd fields
+    /// of the grid's checkerboard: the middle of each strip reflects its light to the eye.
     pub(super) fn seen_by(
         camera: &Camera<f64>,
         size: Size,
         unit: f64,
         distance: f64,
-        aims: impl Fn(usize, Vector<f64>) -> Vector<f64>,
+        aim: impl Fn(bool, Vector<f64>) -> Vector<f64>,
     ) -> (Self, String) {
         let counts = [size.width, size.height].map(|side| side as f64 / unit);
         let grid = [0, 1].map(|k| ((counts[k] / CELL[k]).round() as i32).max(1));
@@ -63,7 +63,7 @@ impl Strips<f64> {
                 let z = -(f64::from(row) + 0.5 - 0.5 * f64::from(grid[1])) * cell[1];
                 let middle = [x, 0.0, z];
                 let view = normalize(sub(middle, [0.0, -distance, 0.0]));
-                let normal = normalize(sub(aims(index, middle), view));
+                let normal = normalize(sub(aim((row + column) % 2 != 0, middle), view));
                 let angle = (-dot(normal, view)).asin();
                 let bend = HALF_BEND.to_radians();
                 // On the picture the ball's slice is r (cos(angle - bend) - cos(angle + bend)) high.

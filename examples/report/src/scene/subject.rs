@@ -51,7 +51,7 @@ pub(super) struct View {
 const EYE: f64 = 1000.0;
 
 /// The same for strips, which see nearly the same direction everywhere.
-const FAR_EYE: f64 = 8000.0;
+const FAR_EYE: f64 = 6000.0;
 
 /// Elevation of view and light over the disc, in degrees.
 const DISC_VIEW: f64 = 40.0;
@@ -105,15 +105,11 @@ impl Subject {
         let camera = Camera::looking(size, [0.0, -distance, 0.0], [0.0; 3], distance);
         let (sin, cos) = STRIP_LIGHT.to_radians().sin_cos();
         let ahead = [0.0, cos, sin];
-        let lamp = 0.5 * distance;
-        let aims = |index: usize, from: Vector<f64>| {
-            if index.is_multiple_of(2) {
-                ahead
-            } else {
-                towards(from, along([0.0; 3], lamp, ahead))
-            }
+        let lamp = distance;
+        let aim = |odd: bool, from: Vector<f64>| {
+            if odd { towards(from, along([0.0; 3], lamp, ahead)) } else { ahead }
         };
-        let (strips, caption) = Strips::seen_by(&camera, size, unit, distance, aims);
+        let (strips, caption) = Strips::seen_by(&camera, size, unit, distance, aim);
         Self {
             name: "strip".into(),
             caption,
