@@ -262,7 +262,8 @@ pub(super) fn cover(study: &Study) -> Option<Vec<u8>> {
 
 /// Unfiltered, best, reference and the difference of the last two.
 fn pictures(study: &Study, panel: &Panel) -> String {
-    let (Some([plain, filtered, reference]), Some(best)) = (scaled_pictures(study, panel), panel.best())
+    let (Some([plain, filtered, reference]), Some(best)) =
+        (scaled_pictures(study, panel), panel.best())
     else {
         return String::new();
     };

@@ -21,7 +21,7 @@ use crate::pattern::Jitter;
 use crate::scene::Scene;
 use crate::window::{CELLS, MARGIN, PerWindow, PixelWindow};
 use deal::deal;
-use splat::{Splatter, Sums};
+use splat::{Cell, Splatter, Sums};
 
 /// Most alphas that one reference is made for.
 pub(crate) const ALPHAS: usize = 3;
@@ -134,13 +134,6 @@ fn needed(target: &Target<'_>) -> Vec<bool> {
     needed
 }
 
-/// Radiances and hits of a cell's samples, in two halves, each sample with the area that it stands for.
-#[derive(Clone, Copy, Default)]
-struct Cell {
-    radiance: Halves,
-    hits: [f64; 2],
-}
-
 /// Takes samples of pixels.
 struct Sampler<'a> {
     scene: &'a Scene<f64>,
@@ -175,10 +168,10 @@ impl<'a> Sampler<'a> {
         (0..whole.pixels()).into_par_iter().map(pixel).collect()
     }
 
-    /// The cells of a row of pixels, each pixel's in rows.
-    fn row(&self, y: usize, width: usize, strata: &[u32]) -> Vec<[Cell; CELLS * CELLS]> {
-        let mut row = vec![[Cell::default(); CELLS * CELLS]; width];
-        for (x, cells) in row.iter_mut().enumerate() {
+    /// The cells of a row of pixels, one pixel after the other, each pixel's in rows.
+    fn row(&self, y: usize, width: usize, strata: &[u32]) -> Vec<Cell> {
+        let mut row = vec![Cell::default(); width * CELLS * CELLS];
+        for (x, cells) in row.chunks_exact_mut(CELLS * CELLS).enumerate() {
             let index = y * width + x;
             for half in 0..2 {
                 let jitter = Jitter::new(4 * index as u64 + 2 + half as u64);
@@ -187,10 +180,8 @@ impl<'a> Sampler<'a> {
                     // Offsets lie in the unit square: the cast rounds down.
                     #[allow(clippy::cast_sign_loss)]
                     let [column, row] = offset.map(|t| (t * CELLS as f64) as usize);
-                    let cell = &mut cells[row.min(CELLS - 1) * CELLS + column.min(CELLS - 1)];
-                    cell.hits[half] += area;
-                    let sums = cell.radiance[half].iter_mut();
-                    sums.zip(values).for_each(|(sum, value)| *sum += value);
+                    let index = row.min(CELLS - 1) * CELLS + column.min(CELLS - 1);
+                    cells[index].add(half, area, values);
                 });
             }
         }

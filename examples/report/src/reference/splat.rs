@@ -1,10 +1,24 @@
 //! From a pixel's cells to the windows of the pixels around it.
 
-use super::{CHANNELS, Cell};
+use super::CHANNELS;
 use crate::window::{CELLS, MARGIN, OFFSETS, PerWindow, PixelWindow, Weights};
 
 /// Numbers of a cell: radiances and hits of both halves.
 const PARTS: usize = 2 * (CHANNELS + 1);
+
+/// Sums over a cell's samples, each with the area that it stands for: radiances and hits of both halves.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Cell([f64; PARTS]);
+
+impl Cell {
+    /// Adds a hit that stands for an area of the pixel, its radiances already times that area.
+    #[inline]
+    pub(super) fn add(&mut self, half: usize, area: f64, values: [f64; CHANNELS]) {
+        let parts = &mut self.0[half * (CHANNELS + 1)..][..=CHANNELS];
+        parts.iter_mut().zip(values).for_each(|(part, value)| *part += value);
+        parts[CHANNELS] += area;
+    }
+}
 
 /// Weighted sums of a pixel's windows: radiances and hits of both halves.
 #[derive(Clone, Copy, Default)]
@@ -38,18 +52,13 @@ impl Splatter {
 
     /// What a row of pixels, margin included, adds to the picture's rows from [`MARGIN`] before it to as many
     /// behind it.
-    pub(super) fn spread(&self, row: &[[Cell; CELLS * CELLS]], width: usize) -> Vec<Vec<Sums>> {
+    pub(super) fn spread(&self, row: &[Cell], width: usize) -> Vec<Vec<Sums>> {
         let mut spread = vec![vec![Sums::default(); width]; OFFSETS];
-        for (x, cells) in row.iter().enumerate() {
-            let parts = cells.map(|cell| {
-                let mut parts = [0.0; PARTS];
-                for half in 0..2 {
-                    let start = half * (CHANNELS + 1);
-                    parts[start..start + CHANNELS].copy_from_slice(&cell.radiance[half]);
-                    parts[start + CHANNELS] = cell.hits[half];
-                }
-                parts
-            });
+        for (x, cells) in row.chunks_exact(CELLS * CELLS).enumerate() {
+            // Where there is no surface there is nothing to spread.
+            if cells.iter().all(|cell| cell.0[CHANNELS] == 0.0) {
+                continue;
+            }
             for (window, weights) in self.0.iter().enumerate() {
                 for (offset, across) in weights.iter().enumerate() {
                     // The pixel at this offset, counted without the margin.
@@ -57,7 +66,7 @@ impl Splatter {
                     if place >= width || across.iter().all(|weight| *weight == 0.0) {
                         continue;
                     }
-                    for (cell_row, cells) in parts.chunks_exact(CELLS).enumerate() {
+                    for (cell_row, cells) in cells.chunks_exact(CELLS).enumerate() {
                         let sum = weighted(cells, across);
                         for (spread, down) in spread.iter_mut().zip(weights) {
                             let target = spread[place].0[window].iter_mut();
@@ -74,10 +83,10 @@ impl Splatter {
 }
 
 /// A row of cells under its weights.
-fn weighted(cells: &[[f64; PARTS]], weights: &[f64; CELLS]) -> [f64; PARTS] {
+fn weighted(cells: &[Cell], weights: &[f64; CELLS]) -> [f64; PARTS] {
     let mut sum = [0.0; PARTS];
     for (cell, weight) in cells.iter().zip(weights) {
-        sum.iter_mut().zip(cell).for_each(|(sum, part)| *sum += weight * part);
+        sum.iter_mut().zip(cell.0).for_each(|(sum, part)| *sum += weight * part);
     }
     sum
 }

@@ -41,20 +41,21 @@ fn more_samples_agree_within_the_noise_they_state_under_every_window() {
 fn a_constant_under_any_window_is_the_constant_also_at_borders_and_silhouettes() {
     let width = 6;
     let splatter = Splatter::new();
-    let mut cell = Cell::default();
     let area = 1.0 / (CELLS * CELLS) as f64;
+    let mut cell = Cell::default();
     for half in 0..2 {
-        cell.hits[half] = area;
-        cell.radiance[half] = [3.0 * area; CHANNELS];
+        cell.add(half, area, [3.0 * area; CHANNELS]);
     }
     // Nothing right of the fourth pixel.
-    let row: Vec<_> = (0..width + 2 * MARGIN)
-        .map(|x| [if x < 6 { cell } else { Cell::default() }; CELLS * CELLS])
+    let row: Vec<_> = (0..(width + 2 * MARGIN) * CELLS * CELLS)
+        .map(|index| if index / (CELLS * CELLS) < 4 + MARGIN { cell } else { Cell::default() })
         .collect();
     let spread = splatter.spread(&row, width);
     for x in 0..width {
         let mut sums = Sums::default();
-        spread.iter().for_each(|row| sums.add(&row[x]));
+        for row in &spread {
+            sums.add(&row[x]);
+        }
         for window in PixelWindow::ALL {
             let wide = window != PixelWindow::Box;
             let expected = if x < 4 || (wide && x < 6) { 3.0 } else { 0.0 };
@@ -70,25 +71,24 @@ fn windows_average_a_picture_that_is_straight_or_square_exactly() {
     // Radiance x^2 over cells, x in pixels from the middle of pixel 4: its mean is the window's variance.
     let splatter = Splatter::new();
     let (width, step) = (9, 1.0 / CELLS as f64);
-    let row: Vec<_> = (0..width + 2 * MARGIN)
-        .map(|x| {
-            std::array::from_fn(|index| {
-                let at =
-                    x as f64 - (4 + MARGIN) as f64 + ((index % CELLS) as f64 + 0.5) * step - 0.5;
-                let mut cell = Cell::default();
-                for half in 0..2 {
-                    cell.hits[half] = step * step;
-                    // The mean of x^2 over the cell.
-                    let square = at * at + step * step / 12.0;
-                    cell.radiance[half] = [square * step * step; CHANNELS];
-                }
-                cell
-            })
+    let row: Vec<_> = (0..(width + 2 * MARGIN) * CELLS * CELLS)
+        .map(|index| {
+            let x = (index / (CELLS * CELLS)) as f64 - (4 + MARGIN) as f64;
+            let at = x + ((index % CELLS) as f64 + 0.5) * step - 0.5;
+            // The mean of x^2 over the cell.
+            let square = at * at + step * step / 12.0;
+            let mut cell = Cell::default();
+            for half in 0..2 {
+                cell.add(half, step * step, [square * step * step; CHANNELS]);
+            }
+            cell
         })
         .collect();
     let spread = splatter.spread(&row, width);
     let mut sums = Sums::default();
-    spread.iter().for_each(|row| sums.add(&row[4]));
+    for row in &spread {
+        sums.add(&row[4]);
+    }
     // A window that is constant over cells is wider than the Gaussian by the variance of two cells.
     let blur = step * step / 6.0;
     for (window, variance, tolerance) in [

@@ -21,7 +21,7 @@ use crate::frame::Frame;
 use crate::light::Light;
 use crate::scalar::Scalar;
 use crate::vector::{add, along, dot, scaled, sub, tangential};
-use surface::{Hit, Surface};
+use surface::{Hit, Shape, Surface, on_shape};
 
 pub(crate) use disc::ACROSS;
 pub(crate) use map::{NormalMap, carried_maps};
@@ -59,8 +59,13 @@ impl<R: Scalar> Scene<R> {
     /// Ray, hit, normal, frame, directions: what the report calls geometry.
     #[inline]
     pub(crate) fn sample(&self, x: R, y: R) -> Sample<R> {
+        on_shape!(&self.surface, shape => self.sample_on(shape, x, y))
+    }
+
+    #[inline(always)]
+    fn sample_on(&self, shape: &impl Shape<R>, x: R, y: R) -> Sample<R> {
         let ray = self.camera.ray(x, y);
-        match self.surface.hit(&ray) {
+        match shape.hit(&ray) {
             Some(hit) => self.lit(&ray, &hit, &Frame::around(hit.normal, hit.tangent)),
             None => Sample::default(),
         }
@@ -69,17 +74,22 @@ impl<R: Scalar> Scene<R> {
     /// The sample with its motions, by ray differentials and the surface's own derivatives.
     #[inline]
     pub(crate) fn sample_in_motion(&self, x: R, y: R) -> (Sample<R>, Motions<R>) {
+        on_shape!(&self.surface, shape => self.sample_in_motion_on(shape, x, y))
+    }
+
+    #[inline(always)]
+    fn sample_in_motion_on(&self, shape: &impl Shape<R>, x: R, y: R) -> (Sample<R>, Motions<R>) {
         let ray = self.camera.ray(x, y);
-        let Some(hit) = self.surface.hit(&ray) else { return Default::default() };
+        let Some(hit) = shape.hit(&ray) else { return Default::default() };
         let frame = Frame::around(hit.normal, hit.tangent);
         let motions = [self.camera.right, self.camera.down]
-            .map(|change| self.motion(&ray, change, &hit, &frame));
+            .map(|change| self.motion(shape, &ray, change, &hit, &frame));
         (self.lit(&ray, &hit, &frame), motions)
     }
 
     /// Whether the ray through (x, y) meets the surface.
     pub(crate) fn covers(&self, x: R, y: R) -> bool {
-        self.surface.hit(&self.camera.ray(x, y)).is_some()
+        on_shape!(&self.surface, shape => shape.hit(&self.camera.ray(x, y)).is_some())
     }
 
     #[inline]
@@ -92,9 +102,16 @@ impl<R: Scalar> Scene<R> {
 
     /// What changes where the ray's direction does.
     ///
-    /// Out of line: inlined twice, the two are packed into lanes through memory, and cost three times as much.
+    /// Out of line: inlined twice, the two are packed into lanes through memory, at up to ten times the cost.
     #[inline(never)]
-    fn motion(&self, ray: &Ray<R>, change: [R; 3], hit: &Hit<R>, frame: &Frame<R>) -> Motion<R> {
+    fn motion(
+        &self,
+        shape: &impl Shape<R>,
+        ray: &Ray<R>,
+        change: [R; 3],
+        hit: &Hit<R>,
+        frame: &Frame<R>,
+    ) -> Motion<R> {
         let length_squared = dot(ray.direction, ray.direction);
         // The hit stays on the tangent plane (Igehy 1999).
         let distance = dot(sub(hit.point, ray.eye), ray.direction) / length_squared;
@@ -105,7 +122,7 @@ impl<R: Scalar> Scene<R> {
         let forward = scaled(R::ONE / length, ray.direction);
         let eye_turn = scaled(-R::ONE / length, tangential(change, forward));
         let light_turn = self.light.at(hit.point).turn(step);
-        let turn = self.surface.turn(hit, step);
+        let turn = shape.turn(hit, step);
         let [first, second, _] = frame.to_local(turn.normal);
         Motion {
             half: frame.to_local(add(eye_turn, light_turn)),

@@ -34,7 +34,7 @@ struct Strip<R> {
 
 /// A grid of strips, each in its own part of the picture.
 pub(super) struct Strips<R> {
-    strips: Vec<Strip<R>>,
+    parts: Vec<Strip<R>>,
     /// Columns and rows.
     grid: [i32; 2],
     /// From a ray's direction to the grid: the picture's axes over the size of a cell, and the view's.
@@ -90,7 +90,7 @@ impl Strips<f64> {
             scaled(distance / cell[1], normalize(camera.down)),
             [0.0, 1.0, 0.0],
         ];
-        (Self { strips, grid, picture }, caption)
+        (Self { parts: strips, grid, picture }, caption)
     }
 
     /// The same in another precision.
@@ -102,7 +102,7 @@ impl Strips<f64> {
             reach: strip.reach.map(R::lit),
         };
         Strips {
-            strips: self.strips.iter().map(strip).collect(),
+            parts: self.parts.iter().map(strip).collect(),
             grid: self.grid,
             picture: self.picture.map(cast),
         }
@@ -121,7 +121,7 @@ impl<R: Scalar> Shape<R> for Strips<R> {
         });
         let [Some(column), Some(row)] = cell else { return None };
         let part = (row * self.grid[0] + column).unsigned_abs() as usize;
-        let strip = &self.strips[part];
+        let strip = &self.parts[part];
         let (_, normal) = strip.ball.enter(ray)?;
         let point = along(strip.ball.centre, strip.ball.radius, normal);
         let from = sub(point, strip.middle);
@@ -137,7 +137,7 @@ impl<R: Scalar> Shape<R> for Strips<R> {
 
     #[inline]
     fn turn(&self, hit: &Hit<R>, step: Vector<R>) -> Turn<R> {
-        let normal = scaled(R::ONE / self.strips[hit.part].ball.radius, step);
+        let normal = scaled(R::ONE / self.parts[hit.part].ball.radius, step);
         Turn { normal, tangent: [R::ZERO; 3] }
     }
 }

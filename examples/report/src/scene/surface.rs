@@ -61,33 +61,21 @@ impl Surface<f64> {
     }
 }
 
-impl<R: Scalar> Surface<R> {
-    #[inline]
-    pub(super) fn hit(&self, ray: &Ray<R>) -> Option<Hit<R>> {
-        match self {
-            Self::Water(water) => water.hit(ray),
-            Self::Plane(plane) => plane.hit(ray),
-            Self::Balls(balls) => balls.hit(ray),
-            Self::MappedBall(ball) => ball.hit(ray),
-            Self::Torus(torus) => torus.hit(ray),
-            Self::Strips(strips) => strips.hit(ray),
-            Self::Disc(disc) => disc.hit(ray),
+/// An expression of a surface's shape, compiled for each: hits then stay in registers.
+macro_rules! on_shape {
+    ($surface:expr, $shape:ident => $body:expr) => {
+        match $surface {
+            $crate::scene::surface::Surface::Water($shape) => $body,
+            $crate::scene::surface::Surface::Plane($shape) => $body,
+            $crate::scene::surface::Surface::Balls($shape) => $body,
+            $crate::scene::surface::Surface::MappedBall($shape) => $body,
+            $crate::scene::surface::Surface::Torus($shape) => $body,
+            $crate::scene::surface::Surface::Strips($shape) => $body,
+            $crate::scene::surface::Surface::Disc($shape) => $body,
         }
-    }
-
-    #[inline]
-    pub(super) fn turn(&self, hit: &Hit<R>, step: Vector<R>) -> Turn<R> {
-        match self {
-            Self::Water(water) => water.turn(hit, step),
-            Self::Plane(plane) => plane.turn(hit, step),
-            Self::Balls(balls) => balls.turn(hit, step),
-            Self::MappedBall(ball) => ball.turn(hit, step),
-            Self::Torus(torus) => torus.turn(hit, step),
-            Self::Strips(strips) => strips.turn(hit, step),
-            Self::Disc(disc) => disc.turn(hit, step),
-        }
-    }
+    };
 }
+pub(super) use on_shape;
 
 /// The world's x axis: the tangent of surfaces whose normals stay away from it.
 pub(super) fn world_x<R: Scalar>() -> Vector<R> {
@@ -134,8 +122,8 @@ mod tests {
         let (slope, change, h) = ([0.4, -0.7], [0.3, 0.2], 1e-6);
         let at = |t: f64| normal_of([slope[0] + t * change[0], slope[1] + t * change[1]]);
         let turn = slope_turn(at(0.0), change);
-        for k in 0..3 {
-            assert!((turn[k] - (at(h)[k] - at(-h)[k]) / (2.0 * h)).abs() < 1e-9);
+        for ((turn, after), before) in turn.into_iter().zip(at(h)).zip(at(-h)) {
+            assert!((turn - (after - before) / (2.0 * h)).abs() < 1e-9);
         }
     }
 }

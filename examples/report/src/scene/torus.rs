@@ -175,8 +175,9 @@ mod tests {
                 assert!(at(t).abs() < 1e-12);
             }
             let end = found.map_or(1150.0, |t| t - 0.01);
-            let steps = ((end - 850.0) / 0.05) as usize;
-            assert!((0..steps).all(|n| at(850.0 + 0.05 * n as f64) > 0.0), "{x} {z}");
+            let mut before =
+                (0..6000).map(|n| 850.0 + 0.05 * f64::from(n)).take_while(|t| *t < end);
+            assert!(before.all(|t| at(t) > 0.0), "{x} {z}");
 
             let (eye, direction) = (eye.map(|c| c as f32), direction.map(|c| c as f32));
             match (found, single.march(eye, direction)) {
