@@ -1,8 +1,9 @@
-//! A pinhole camera one unit above the plane z = 0, looking along +y and down.
+//! A pinhole camera: rays through the picture, and how they change from pixel to pixel.
 
 use lobe::slope::direction::normalize;
 
 use crate::scalar::Scalar;
+use crate::vector::{Vector, along, cast, cross, scaled, sub};
 
 /// A picture's size in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,62 +22,94 @@ impl Size {
     pub(crate) fn pixels(self) -> usize {
         self.width * self.height
     }
+
+    /// The same with a margin on all four sides.
+    pub(crate) fn grown(self, margin: usize) -> Self {
+        Self { width: self.width + 2 * margin, height: self.height + 2 * margin }
+    }
 }
 
 /// The camera: pixel (x, y) covers x to x + 1 and y to y + 1, rows counted from the top.
 #[derive(Clone)]
 pub(crate) struct Camera<R> {
+    eye: Vector<R>,
     /// Ray through the picture's corner (0, 0), and its change per pixel.
-    corner: [R; 3],
-    right: [R; 3],
-    down: [R; 3],
+    corner: Vector<R>,
+    pub(crate) right: Vector<R>,
+    pub(crate) down: Vector<R>,
 }
 
-/// Height of the eye over the plane: the unit of length.
-const EYE: f64 = 1.0;
+/// A ray from the eye; its direction has no particular length.
+#[derive(Clone, Copy)]
+pub(crate) struct Ray<R> {
+    pub(crate) eye: Vector<R>,
+    pub(crate) direction: Vector<R>,
+}
+
+impl<R: Scalar> Ray<R> {
+    /// The point at a multiple of the direction.
+    #[inline]
+    pub(crate) fn at(&self, t: R) -> Vector<R> {
+        along(self.eye, t, self.direction)
+    }
+}
 
 impl Camera<f64> {
-    /// A camera whose picture spans these angles below the horizon (degrees), top row to bottom row.
+    /// A camera at height 1 over the plane z = 0, looking along +y and down: its picture spans these angles
+    /// below the horizon (degrees), top row to bottom row.
     pub(crate) fn spanning(size: Size, top: f64, bottom: f64) -> Self {
         let (sin, cos) = (0.5 * (top + bottom)).to_radians().sin_cos();
-        let (width, height) = (size.width as f64, size.height as f64);
-        let pixel = 2.0 * (0.5 * (bottom - top)).to_radians().tan() / height;
-        let right = [pixel, 0.0, 0.0];
-        let down = [0.0, -sin * pixel, -cos * pixel];
-        let (x, y) = (0.5 * width, 0.5 * height);
-        let corner = [-x * right[0], cos - y * down[1], -sin - y * down[2]];
-        Self { corner, right, down }
+        let focal = 0.5 * size.height as f64 / (0.5 * (bottom - top)).to_radians().tan();
+        let eye = [0.0, 0.0, 1.0];
+        Self::looking(size, eye, [0.0, cos, 1.0 - sin], focal)
+    }
+
+    /// A camera that has `target` at the picture's centre and the world's z axis upright; `focal` is the
+    /// distance, in pixels, at which a pixel is as wide as on the picture.
+    pub(crate) fn looking(size: Size, eye: Vector<f64>, target: Vector<f64>, focal: f64) -> Self {
+        let forward = normalize(sub(target, eye));
+        let across = normalize(cross(forward, [0.0, 0.0, 1.0]));
+        let right = scaled(1.0 / focal, across);
+        let down = scaled(1.0 / focal, cross(forward, across));
+        let corner = along(forward, -0.5 * size.width as f64, right);
+        let corner = along(corner, -0.5 * size.height as f64, down);
+        Self { eye, corner, right, down }
     }
 
     /// The same in another precision.
     pub(crate) fn cast<R: Scalar>(&self) -> Camera<R> {
-        let cast = |v: [f64; 3]| v.map(R::lit);
-        Camera { corner: cast(self.corner), right: cast(self.right), down: cast(self.down) }
+        Camera {
+            eye: cast(self.eye),
+            corner: cast(self.corner),
+            right: cast(self.right),
+            down: cast(self.down),
+        }
     }
 
-    /// Steps on the plane to the pixels at the right and above, as lengths.
+    /// Steps on the plane z = 0 to the pixels at the right and above, as lengths.
     pub(crate) fn steps(&self, x: f64, y: f64) -> [f64; 2] {
-        let at = |x, y| self.hit(x, y).0;
+        let at = |x, y| {
+            let ray = self.ray(x, y);
+            ray.at(-ray.eye[2] / ray.direction[2])
+        };
         let here = at(x, y);
         [at(x + 1.0, y), at(x, y - 1.0)].map(|p| (p[0] - here[0]).hypot(p[1] - here[1]))
     }
 }
 
 impl<R: Scalar> Camera<R> {
-    /// The point of the plane behind the picture's point (x, y), and the unit direction to the eye.
+    /// The ray through the picture's point (x, y).
     #[inline]
-    pub(crate) fn hit(&self, x: R, y: R) -> ([R; 2], [R; 3]) {
-        let along = |k: usize| self.corner[k] + x * self.right[k] + y * self.down[k];
-        let ray = [along(0), along(1), along(2)];
-        let distance = R::lit(EYE) / -ray[2];
-        let wo = normalize(ray.map(|c| -c));
-        ([ray[0] * distance, ray[1] * distance], wo)
+    pub(crate) fn ray(&self, x: R, y: R) -> Ray<R> {
+        let direction = along(along(self.corner, x, self.right), y, self.down);
+        Ray { eye: self.eye, direction }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Camera, Size};
+    use crate::vector::{dot, sub};
 
     #[test]
     fn the_picture_spans_the_angles_asked_for() {
@@ -84,10 +117,25 @@ mod tests {
         assert_eq!(size, Size { width: 64, height: 36 });
         let camera = Camera::spanning(size, 8.0, 28.0);
         for (row, angle) in [(0.0, 8.0_f64), (36.0, 28.0)] {
-            let (point, wo) = camera.hit(32.0, row);
-            assert!((wo[2] - angle.to_radians().sin()).abs() < 1e-12);
-            assert!((point[1] - 1.0 / angle.to_radians().tan()).abs() < 1e-12);
-            assert!(point[0].abs() < 1e-12);
+            let [x, y, z] = camera.ray(32.0, row).direction;
+            assert!(x.abs() < 1e-12 && (-z / y - angle.to_radians().tan()).abs() < 1e-12);
         }
+    }
+
+    #[test]
+    fn a_camera_sees_its_target_at_the_centre_and_pixels_at_their_size() {
+        let size = Size::of_width(400);
+        let (eye, target) = ([100.0_f64, -900.0, 300.0], [-20.0, 50.0, 10.0]);
+        let distance = dot(sub(target, eye), sub(target, eye)).sqrt();
+        let camera = Camera::looking(size, eye, target, distance);
+        let centre = camera.ray(200.0, 112.5);
+        let hit = centre.at(distance);
+        let pixel = camera.ray(201.0, 112.5).at(distance);
+        for k in 0..3 {
+            assert!((hit[k] - target[k]).abs() < 1e-9);
+        }
+        let step = sub(pixel, hit);
+        assert!((dot(step, step).sqrt() - 1.0).abs() < 1e-9 && step[2].abs() < 1e-12);
+        assert!(camera.down[2] < 0.0);
     }
 }

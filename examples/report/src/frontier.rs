@@ -48,6 +48,12 @@ fn interpolate(before: Point, after: Point, error: f64) -> f64 {
     before.cost * (after.cost / before.cost).powf(t)
 }
 
+/// Which points no other beats in both cost and error.
+pub(crate) fn pareto(points: &[Point]) -> Vec<bool> {
+    let beats = |a: &Point, b: &Point| a.cost < b.cost && a.error < b.error;
+    points.iter().map(|point| !points.iter().any(|other| beats(other, point))).collect()
+}
+
 impl Price {
     /// In multiples of `unit`.
     pub(crate) fn over(self, unit: f64) -> Self {
@@ -82,7 +88,7 @@ impl fmt::Display for Price {
 
 #[cfg(test)]
 mod tests {
-    use super::{Frontier, Point, Price};
+    use super::{Frontier, Point, Price, pareto};
 
     #[test]
     fn interpolation_is_straight_on_logarithmic_axes() {
@@ -98,6 +104,15 @@ mod tests {
         assert_eq!(line.price(0.001), Some(Price::MoreThan(1000.0)));
         assert_eq!(line.price(2.0), Some(Price::LessThan(1.0)));
         assert_eq!(Frontier(Vec::new()).price(0.1), None);
+    }
+
+    #[test]
+    fn what_is_slower_and_worse_than_another_is_not_on_the_front() {
+        let points = [(1.0, 9.0), (2.0, 4.0), (3.0, 5.0), (2.0, 6.0), (8.0, 1.0)];
+        let points = points.map(|(cost, error)| Point { cost, error });
+        // The fourth costs as much as the second: only both smaller beats.
+        assert_eq!(pareto(&points), [true, true, false, true, true]);
+        assert_eq!(pareto(&[]), [false; 0]);
     }
 
     #[test]

@@ -5,8 +5,11 @@
 //! on both, `study` collects a scene's, `page` shows them.
 
 mod camera;
+mod coverage;
+mod footprints;
 mod frame;
 mod frontier;
+mod light;
 mod method;
 mod metric;
 mod options;
@@ -20,6 +23,8 @@ mod scene;
 mod study;
 mod texture;
 mod timing;
+mod vector;
+mod window;
 
 use std::io::Write;
 use std::path::Path;
@@ -54,15 +59,15 @@ fn run(options: &Options) -> Result<(), Mistake> {
     let output = Output::prepare(&options.out)?;
 
     let methods = method::all();
-    let bar = ProgressBar::new(subjects.len() as u64 * study::steps(size, methods.len()));
+    let bar = ProgressBar::new(subjects.len() as u64 * study::steps(size, methods.len(), &effort));
     if let Ok(style) = ProgressStyle::with_template("{msg:24} {wide_bar} {percent:>3} %  {eta}") {
         bar.set_style(style);
     }
-    let mut report = Report::new(options, effort);
+    let mut report = Report::new(effort.clone());
     for subject in subjects {
         bar.set_message(subject.name.clone());
-        let study = Study::run(subject, options.alpha, &methods, effort, &|steps| bar.inc(steps))
-            .map_err(|error| Mistake(format!("--alpha {}: {error}", options.alpha)))?;
+        let study = Study::run(subject, &methods, &effort, &|steps| bar.inc(steps))
+            .map_err(|error| Mistake(format!("--alpha: {error}")))?;
         bar.suspend(|| print(&page::text(&study)));
         report.studies.push(study);
     }
@@ -82,17 +87,25 @@ fn print(text: &str) {
 
 /// The scenes asked for, their maps read and decoded.
 fn subjects(options: &Options, size: Size) -> Result<Vec<Subject>, Mistake> {
+    let asked = |scene: Scenes| options.scene.include(scene);
+    let maps = match &options.normal_map {
+        _ if !asked(Scenes::Plane) && !asked(Scenes::MappedSphere) => Vec::new(),
+        Some(path) => vec![normal_map(path)?],
+        None => carried_maps(!options.quick).map_err(Mistake)?,
+    };
     let mut subjects = Vec::new();
-    if options.scene != Scenes::Plane {
-        subjects.push(Subject::water(size));
-    }
-    if options.scene != Scenes::Water {
-        let maps = match &options.normal_map {
-            Some(path) => vec![normal_map(path)?],
-            None => carried_maps().map_err(Mistake)?,
-        };
-        subjects.extend(maps.iter().map(|map| Subject::plane(size, map)));
-    }
+    let mut add = |scene: Scenes, make: &dyn Fn() -> Vec<Subject>| {
+        if asked(scene) {
+            subjects.extend(make());
+        }
+    };
+    add(Scenes::Water, &|| vec![Subject::water(size)]);
+    add(Scenes::Sphere, &|| vec![Subject::balls(size)]);
+    add(Scenes::Torus, &|| vec![Subject::torus(size)]);
+    add(Scenes::Plane, &|| maps.iter().map(|map| Subject::plane(size, map)).collect());
+    add(Scenes::MappedSphere, &|| maps.iter().map(|map| Subject::mapped_ball(size, map)).collect());
+    add(Scenes::Strip, &|| vec![Subject::strips(size)]);
+    add(Scenes::Disc, &|| vec![Subject::disc(size)]);
     Ok(subjects)
 }
 

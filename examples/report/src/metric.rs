@@ -1,4 +1,4 @@
-//! How far a picture is from the reference.
+//! How far a picture is from the reference, over the pixels that are judged.
 
 /// Softens relMSE in the dark: a tenth of the mean radiance, squared.
 pub(crate) const SOFTENING: f64 = 0.01;
@@ -10,34 +10,44 @@ pub(crate) struct Errors {
     pub(crate) rmse: f64,
     /// Mean of $(x - r)^2 / (r^2 + 0.01)$.
     pub(crate) rel_mse: f64,
+    /// Mean of $2|x - r| / (|x| + |r|)$, 0 where both are 0: from 0 to 2.
+    pub(crate) smape: f64,
     /// Sum of x over sum of r.
     pub(crate) energy: f64,
     /// Largest |x - r|.
     pub(crate) worst: f64,
 }
 
-/// The factor that brings a reference to mean 1; 1 for a black one.
-pub(crate) fn scale(reference: &[f64]) -> f64 {
-    let mean = reference.iter().sum::<f64>() / reference.len() as f64;
-    if mean > 0.0 { 1.0 / mean } else { 1.0 }
+/// The factor that brings a reference to mean 1 over the judged pixels; 1 for a black one.
+pub(crate) fn scale(reference: &[f64], judged: &[bool]) -> f64 {
+    let values = reference.iter().zip(judged).filter(|(_, judged)| **judged);
+    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), (r, _)| (sum + r, count + 1.0));
+    if sum > 0.0 { count / sum } else { 1.0 }
 }
 
 impl Errors {
-    /// Of a picture with as many pixels as the reference, both multiplied by `scale` first.
-    pub(crate) fn of(picture: &[f32], reference: &[f64], scale: f64) -> Self {
-        let mut errors = Self { rmse: 0.0, rel_mse: 0.0, energy: 0.0, worst: 0.0 };
-        for (&x, &r) in picture.iter().zip(reference) {
+    /// Of a picture with as many pixels as the reference, both multiplied by `scale` first. Without a judged
+    /// pixel, no numbers.
+    pub(crate) fn of(picture: &[f32], reference: &[f64], judged: &[bool], scale: f64) -> Self {
+        let mut errors = Self { rmse: 0.0, rel_mse: 0.0, smape: 0.0, energy: 0.0, worst: 0.0 };
+        let (mut count, mut whole) = (0.0, 0.0);
+        let pixels = picture.iter().zip(reference).zip(judged).filter(|(_, judged)| **judged);
+        for ((&x, &r), _) in pixels {
             let (x, r) = (f64::from(x) * scale, r * scale);
-            let square = (x - r) * (x - r);
-            errors.rmse += square;
-            errors.rel_mse += square / (r * r + SOFTENING);
+            let difference = (x - r).abs();
+            let size = x.abs() + r.abs();
+            errors.rmse += difference * difference;
+            errors.rel_mse += difference * difference / (r * r + SOFTENING);
+            errors.smape += if size > 0.0 { 2.0 * difference / size } else { 0.0 };
             errors.energy += x;
-            errors.worst = errors.worst.max((x - r).abs());
+            errors.worst = errors.worst.max(difference);
+            whole += r;
+            count += 1.0;
         }
-        let count = reference.len() as f64;
         errors.rmse = (errors.rmse / count).sqrt();
         errors.rel_mse /= count;
-        errors.energy /= reference.iter().sum::<f64>() * scale;
+        errors.smape /= count;
+        errors.energy /= whole;
         errors
     }
 }
@@ -47,22 +57,28 @@ mod tests {
     use super::{Errors, scale};
 
     #[test]
-    fn known_numbers() {
-        let reference = [2.0, 0.0, 4.0, 2.0];
-        let scale = scale(&reference);
+    fn known_numbers_and_pixels_that_are_not_judged() {
+        let reference = [2.0, 0.0, 4.0, 2.0, 77.0];
+        let judged = [true, true, true, true, false];
+        let scale = scale(&reference, &judged);
         assert_eq!(scale, 0.5);
-        let errors = Errors::of(&[2.0, 2.0, 0.0, 2.0], &reference, scale);
+        let errors = Errors::of(&[2.0, 2.0, 0.0, 2.0, -9.0], &reference, &judged, scale);
         // Scaled: r = 1 0 2 1, x = 1 1 0 1, differences 0 1 -2 0.
         assert!((errors.rmse - (5.0_f64 / 4.0).sqrt()).abs() < 1e-15);
         assert!((errors.rel_mse - 0.25 * (1.0 / 0.01 + 4.0 / 4.01)).abs() < 1e-12);
+        assert!((errors.smape - 1.0).abs() < 1e-15);
         assert!((errors.energy - 0.75).abs() < 1e-15);
         assert_eq!(errors.worst, 2.0);
     }
 
     #[test]
     fn a_picture_that_is_the_reference_has_no_error() {
-        let errors = Errors::of(&[1.0, 3.0], &[1.0, 3.0], scale(&[1.0, 3.0]));
-        assert_eq!(errors, Errors { rmse: 0.0, rel_mse: 0.0, energy: 1.0, worst: 0.0 });
-        assert_eq!(scale(&[0.0, 0.0]), 1.0);
+        let (picture, judged) = ([1.0, 0.0], [true; 2]);
+        let reference = picture.map(f64::from);
+        let errors = Errors::of(&picture, &reference, &judged, scale(&reference, &judged));
+        let none = Errors { rmse: 0.0, rel_mse: 0.0, smape: 0.0, energy: 1.0, worst: 0.0 };
+        assert_eq!(errors, none);
+        assert_eq!(scale(&[0.0, 0.0], &judged), 1.0);
+        assert_eq!(scale(&[3.0, 0.0], &[false; 2]), 1.0);
     }
 }

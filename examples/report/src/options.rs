@@ -6,6 +6,8 @@ use std::path::PathBuf;
 use clap::error::ErrorKind;
 use clap::{Parser, ValueEnum};
 
+use crate::light::LightKind;
+use crate::reference::Sampling;
 use crate::study::Effort;
 
 /// A user's mistake: one line that names the parameter or file.
@@ -29,26 +31,30 @@ pub(crate) struct Options {
     #[arg(long)]
     pub(crate) quick: bool,
 
-    /// Which scenes: waves at grazing view, a plane with normal maps, or both.
+    /// Which scene, or all of them.
     #[arg(long, value_enum, default_value_t = Scenes::All)]
     pub(crate) scene: Scenes,
 
-    /// A tangent-space normal map (PNG, RGB or RGBA, 8 or 16 bits, +y up) to show on the plane
-    /// instead of the four that the program carries.
+    /// Which light. [default: all, with --quick distant]
+    #[arg(long, value_enum)]
+    pub(crate) light: Option<Lights>,
+
+    /// A tangent-space normal map (PNG, RGB or RGBA, 8 or 16 bits, +y up) to show on the plane and on
+    /// the sphere instead of the four that the program carries.
     #[arg(long, value_name = "FILE")]
     pub(crate) normal_map: Option<PathBuf>,
 
-    /// Roughness of the material, isotropic, from 0.0001 to 1.
+    /// Roughness of the material, from 0.0001 to 1: this one only. Brushed scenes have five times as
+    /// much across their grooves. [default: 0.01, 0.05 and 0.3, with --quick the first two]
     ///
     /// Below about 0.001 the reference may need more samples than it takes; the report says so.
-    #[arg(long, value_name = "A", default_value_t = 0.01, value_parser = alpha,
-          allow_negative_numbers = true)]
-    pub(crate) alpha: f64,
+    #[arg(long, value_name = "A", value_parser = alpha, allow_negative_numbers = true)]
+    pub(crate) alpha: Option<f64>,
 
     /// Width of the pictures in pixels, 16 to 4096; the height follows (16:9).
     ///
-    /// Surfaces keep their number of pixels per wave or texel: a larger picture shows more of them.
-    /// [default: 560, with --quick 240]
+    /// Surfaces keep their number of pixels per wave, texel or radius: a smaller picture shows less of them.
+    /// [default: 400, with --quick 240]
     #[arg(long, value_name = "N", value_parser = width, allow_negative_numbers = true)]
     pub(crate) size: Option<usize>,
 
@@ -62,11 +68,42 @@ pub(crate) struct Options {
 pub(crate) enum Scenes {
     /// Waves at grazing view.
     Water,
+    /// Balls of many sizes.
+    Sphere,
+    /// A torus with a thin tube.
+    Torus,
     /// A plane with normal maps.
     Plane,
-    /// Both.
+    /// A ball with normal maps.
+    MappedSphere,
+    /// Thin strips at grazing angles.
+    Strip,
+    /// A brushed disc with grooves.
+    Disc,
+    /// All of them; with --quick one normal map only.
     All,
 }
+
+impl Scenes {
+    /// Whether this is the scene asked for, or all are.
+    pub(crate) fn include(self, scene: Self) -> bool {
+        self == scene || self == Self::All
+    }
+}
+
+/// Which lights to shine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Lights {
+    /// The same direction everywhere.
+    Distant,
+    /// Near enough that its direction changes across the picture.
+    Point,
+    /// One after the other.
+    All,
+}
+
+/// Roughnesses of a full run; a quick one takes the first two.
+const ALPHAS: [f64; 3] = [0.01, 0.05, 0.3];
 
 impl Options {
     /// From the program's arguments. Help and version are printed and give `None`.
@@ -82,16 +119,31 @@ impl Options {
             }
             Err(error) => return Err(Mistake(first_paragraph(&error.to_string()))),
         };
-        if options.normal_map.is_some() && options.scene == Scenes::Water {
-            return Err(Mistake("--normal-map is of no use with '--scene water'".into()));
+        let mapped = [Scenes::Plane, Scenes::MappedSphere, Scenes::All].contains(&options.scene);
+        if options.normal_map.is_some() && !mapped {
+            let name = options.scene.to_possible_value();
+            let name = name.as_ref().map_or("", |name| name.get_name());
+            return Err(Mistake(format!("--normal-map is of no use with '--scene {name}'")));
         }
         Ok(Some(options))
     }
 
     /// How much work the options ask for.
     pub(crate) fn effort(&self) -> Effort {
-        let effort = if self.quick { Effort::QUICK } else { Effort::FULL };
-        Effort { width: self.size.unwrap_or(effort.width), ..effort }
+        let (width, samples, rounds, count) =
+            if self.quick { (240, 320, 51, 2) } else { (400, 768, 201, 3) };
+        let lights = match (self.light, self.quick) {
+            (Some(Lights::Distant), _) | (None, true) => vec![LightKind::Distant],
+            (Some(Lights::Point), _) => vec![LightKind::Point],
+            (Some(Lights::All), _) | (None, false) => LightKind::ALL.into(),
+        };
+        Effort {
+            width: self.size.unwrap_or(width),
+            sampling: Sampling { samples },
+            rounds,
+            lights,
+            alphas: self.alpha.map_or(ALPHAS[..count].into(), |alpha| vec![alpha]),
+        }
     }
 }
 
@@ -137,6 +189,7 @@ mod tests {
             "--size=99999999999999999999",
             "--size=3.5",
             "--scene=fire",
+            "--light=none",
         ] {
             let error = Options::try_parse_from(["lobe-report", bad]).unwrap_err();
             let line = first_paragraph(&error.to_string());

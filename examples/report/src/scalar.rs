@@ -1,9 +1,12 @@
-//! What scenes need of a float beyond [`lobe::Real`]: a fast cosine and a floor.
+//! What scenes need of a float beyond [`lobe::Real`]: fast sines and a floor.
 
 /// `f32` for the methods, as an engine computes; `f64` for the reference.
 pub(crate) trait Scalar: lobe::Real {
     /// Cosine in this precision. (`Real::sin_cos` is for constructors: it goes through f64.)
     fn cos(self) -> Self;
+
+    /// Sine in this precision.
+    fn sin(self) -> Self;
 
     /// The integer below and the fraction above it. For numbers that fit an `i32`.
     fn split(self) -> (i32, Self);
@@ -15,6 +18,10 @@ macro_rules! impl_scalar {
             #[inline]
             fn cos(self) -> Self {
                 $t::cos(self)
+            }
+            #[inline]
+            fn sin(self) -> Self {
+                $t::sin(self)
             }
             // A cast and a comparison: without SSE 4.1, `floor` is a call.
             #[inline]

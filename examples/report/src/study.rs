@@ -1,49 +1,57 @@
-//! One scene, all methods: pictures, errors, times.
+//! One scene under its lights, all alphas, all methods: pictures, errors, times.
 
 use lobe::Error;
 
 use crate::camera::Size;
-use crate::frontier::{Frontier, Point, Price};
-use crate::method::{Distribution, Material, Method};
+use crate::coverage;
+use crate::footprints::Disagreement;
+use crate::frontier::{Frontier, Point, Price, pareto};
+use crate::light::LightKind;
+use crate::method::{Derivatives, Distribution, Method, Surfacing};
 use crate::metric::{Errors, scale};
-use crate::reference::{Reference, Sampling};
-use crate::render::render;
+use crate::reference::{Reference, References, Sampling, Target};
+use crate::render::{Pictures, render};
 use crate::scene::Subject;
 use crate::timing::{self, Timing};
+use crate::window::{MARGIN, PerWindow, PixelWindow};
 
-/// How much work a run does.
-#[derive(Clone, Copy)]
+/// What a run does to every scene.
+#[derive(Clone)]
 pub(crate) struct Effort {
     /// Width of the pictures, if the user does not say.
     pub(crate) width: usize,
     pub(crate) sampling: Sampling,
     /// Timed passes per method.
     pub(crate) rounds: usize,
+    /// Lights, the one of the pictures first.
+    pub(crate) lights: Vec<LightKind>,
+    /// Roughness of the material along its smoother axis, increasing.
+    pub(crate) alphas: Vec<f64>,
 }
 
-impl Effort {
-    pub(crate) const QUICK: Self =
-        Self { width: 240, sampling: Sampling { samples: 384 }, rounds: 101 };
-    pub(crate) const FULL: Self =
-        Self { width: 560, sampling: Sampling { samples: 1024 }, rounds: 301 };
-}
-
-/// One method's line of the table.
+/// One method's line of a table.
 pub(crate) struct Row {
     pub(crate) name: String,
     pub(crate) samples: u32,
     pub(crate) filters: bool,
+    /// The pixel filter whose picture the method approximates.
+    pub(crate) window: PixelWindow,
+    /// Against the reference of that filter.
     pub(crate) errors: Errors,
-    /// Nanoseconds of shading per sample, footprint differences included.
+    /// Against the reference of the box.
+    pub(crate) box_errors: Errors,
+    /// Nanoseconds of shading per sample, footprints included.
     pub(crate) shading: f64,
-    /// Nanoseconds per pixel: samples times geometry and shading.
+    /// Nanoseconds per pixel: samples times geometry, motions if the method needs them, and shading.
     pub(crate) pixel: f64,
+    /// No other method of the panel is both faster and nearer to its own reference.
+    pub(crate) pareto: bool,
     /// Samples that plain supersampling needs for the same RMSE; of filters only.
     pub(crate) equal_samples: Option<Price>,
     /// Its time over this method's, at the same RMSE; of filters only.
     pub(crate) speed_up: Option<Price>,
-    /// Radiance, unscaled.
-    pub(crate) picture: Vec<f32>,
+    /// Radiance, unscaled; in the panel that is shown.
+    pub(crate) picture: Option<Vec<f32>>,
 }
 
 impl Row {
@@ -53,14 +61,17 @@ impl Row {
     }
 }
 
-/// All methods of one distribution on one scene.
+/// All methods of one distribution on one scene under one light at one alpha.
 pub(crate) struct Panel {
+    pub(crate) light: LightKind,
+    pub(crate) alpha: f64,
     pub(crate) distribution: Distribution,
-    /// Brings radiance to a mean reference of 1.
+    /// Brings radiance to a mean box reference of 1 over the judged pixels.
     pub(crate) scale: f64,
-    /// The reference's standard error on that scale.
-    pub(crate) noise: f64,
-    pub(crate) reference: Vec<f64>,
+    /// The references' standard errors on that scale.
+    pub(crate) noise: PerWindow<f64>,
+    /// The box reference, unscaled; in the panel that is shown.
+    pub(crate) reference: Option<Vec<f64>>,
     pub(crate) rows: Vec<Row>,
 }
 
@@ -76,11 +87,18 @@ impl Panel {
         self.rows.iter().find(|row| !row.filters && row.samples == 1)
     }
 
-    /// The reference's noise over the best filter's RMSE, and over the smallest of all rows.
+    /// The noise of a row's own reference.
+    pub(crate) fn noise_of(&self, row: &Row) -> f64 {
+        self.noise[row.window as usize]
+    }
+
+    /// The reference's noise over the best filter's RMSE, and the largest such ratio of all rows.
     pub(crate) fn noise_ratios(&self) -> [f64; 2] {
-        let over = |error: f64| if error > 0.0 { self.noise / error } else { 0.0 };
-        let least = self.rows.iter().map(|row| row.errors.rmse).fold(f64::INFINITY, f64::min);
-        [over(self.best().map_or(least, |row| row.errors.rmse)), over(least)]
+        let over = |row: &Row| {
+            if row.errors.rmse > 0.0 { self.noise_of(row) / row.errors.rmse } else { 0.0 }
+        };
+        let largest = self.rows.iter().map(over).fold(0.0, f64::max);
+        [self.best().map_or(largest, over), largest]
     }
 
     /// Filters that one plain sample beats.
@@ -95,85 +113,181 @@ pub(crate) struct Study {
     pub(crate) name: String,
     pub(crate) caption: String,
     pub(crate) size: Size,
+    /// The pixels that errors count, rows from the top.
+    pub(crate) judged: Vec<bool>,
     /// Nanoseconds of geometry per sample.
     pub(crate) geometry: f64,
+    /// Nanoseconds per sample that motions take on top.
+    pub(crate) motion: f64,
+    /// Quads' footprints against analytic ones, under the first light.
+    pub(crate) disagreement: Option<Disagreement>,
+    /// By light, then alpha, then distribution; the first one has pictures.
     pub(crate) panels: Vec<Panel>,
 }
 
-/// Steps of progress that one study reports: its rows, for the reference and for every method.
-pub(crate) fn steps(size: Size, methods: usize) -> u64 {
-    (size.height * (methods + REFERENCE_WEIGHT)) as u64
+impl Study {
+    /// The part of the picture that is judged.
+    pub(crate) fn judged_part(&self) -> f64 {
+        let count = self.judged.iter().filter(|judged| **judged).count();
+        count as f64 / self.size.pixels() as f64
+    }
+}
+
+/// Steps of progress that one study reports: its rows, for the references and for every method.
+pub(crate) fn steps(size: Size, methods: usize, effort: &Effort) -> u64 {
+    let rows = size.height * methods * effort.alphas.len();
+    let reference = size.grown(MARGIN).height * REFERENCE_WEIGHT;
+    (effort.lights.len() * (rows + reference)) as u64
 }
 
 /// A reference row counts as this many rows of a method.
-const REFERENCE_WEIGHT: usize = 40;
+const REFERENCE_WEIGHT: usize = 120;
 
 impl Study {
     /// Renders, measures and compares; calls `progress` with the steps done.
     pub(crate) fn run(
         subject: Subject,
-        alpha: f64,
         methods: &[Method],
-        effort: Effort,
+        effort: &Effort,
         progress: &(impl Fn(u64) + Sync),
     ) -> Result<Self, Error> {
-        let material = Material::new(alpha)?;
-        let Subject { name, caption, size, engine, exact } = subject;
+        let (size, finish) = (subject.size, subject.finish);
+        let materials: Vec<_> = effort
+            .alphas
+            .iter()
+            .map(|&alpha| Surfacing::new(finish, alpha))
+            .collect::<Result<_, _>>()?;
+        let distant = subject.lit(LightKind::Distant);
+        let judged = coverage::judged(&distant.exact, size);
 
         // Timed first, while no other thread of ours runs.
         let timed: Vec<_> = methods.iter().filter(|method| method.samples == 1).collect();
-        let timing = timing::measure(&engine, size, &material, &timed, effort.rounds);
-        let shading_of = |method: &Method| shading_time(method, &timed, &timing);
+        let material = materials.first().ok_or(Error::Alpha)?;
+        let timing =
+            timing::measure(&distant.engine, size, &judged, material, &timed, effort.rounds);
+        let times: Vec<_> = methods.iter().map(|m| times_of(m, &timed, &timing)).collect();
 
-        let row_done = || progress(REFERENCE_WEIGHT as u64);
-        let references = effort.sampling.render(&exact, size, alpha, &row_done)?;
-
-        let panels = Distribution::ALL.map(|distribution| {
-            let pictures: Vec<_> = methods
-                .iter()
-                .filter(|method| method.distribution == distribution)
-                .map(|method| {
-                    let picture = render(&engine, size, &material, method, &|| progress(1));
-                    (method, picture, shading_of(method))
-                })
-                .collect();
-            panel(distribution, references.of(distribution), pictures, timing.geometry)
-        });
-        Ok(Self { name, caption, size, geometry: timing.geometry, panels: panels.into() })
+        let (mut panels, mut disagreement) = (Vec::new(), None);
+        for &light in &effort.lights {
+            let lit = subject.lit(light);
+            if panels.is_empty() {
+                disagreement = Disagreement::on(&lit.engine, size, &judged);
+            }
+            let alphas = &effort.alphas;
+            let target = Target { scene: &lit.exact, size, finish, alphas, judged: &judged };
+            let row_done = || progress(REFERENCE_WEIGHT as u64);
+            let references = effort.sampling.render(&target, &row_done)?;
+            let rows_done = |rows: usize| progress((rows * methods.len() * alphas.len()) as u64);
+            let pictures = render(&lit.engine, size, &materials, methods, &rows_done);
+            let shown = panels.is_empty();
+            let under = Under { light, alphas, methods, times: &times, judged: &judged };
+            panels.extend(under.panels(&references, pictures, shown));
+        }
+        Ok(Self {
+            name: subject.name,
+            caption: subject.caption,
+            size,
+            judged,
+            geometry: timing.geometry,
+            motion: timing.motion,
+            disagreement,
+            panels,
+        })
     }
 }
 
-/// Shading time of a method; supersampling repeats the plain shading of its distribution.
-fn shading_time(method: &Method, timed: &[&Method], timing: &Timing) -> f64 {
-    let same = |other: &&Method| {
-        other.distribution == method.distribution
-            && other.filters == method.filters
-            && (!method.filters || other.name == method.name)
-    };
-    timed.iter().position(same).map_or(f64::NAN, |index| timing.shading[index])
+/// Nanoseconds of a method: of shading per sample, and per pixel.
+struct Times {
+    shading: f64,
+    pixel: f64,
 }
 
-fn panel(
-    distribution: Distribution,
-    reference: &Reference,
-    pictures: Vec<(&Method, Vec<f32>, f64)>,
-    geometry: f64,
-) -> Panel {
-    let scale = scale(&reference.radiance);
-    let mut rows: Vec<_> = pictures
-        .into_iter()
-        .map(|(method, picture, shading)| Row {
-            name: method.name.clone(),
-            samples: method.samples,
-            filters: method.filters,
-            errors: Errors::of(&picture, &reference.radiance, scale),
-            shading,
-            pixel: f64::from(method.samples) * (geometry + shading),
-            equal_samples: None,
-            speed_up: None,
-            picture,
-        })
-        .collect();
+/// Of a method; supersampling repeats the plain shading of its distribution.
+fn times_of(method: &Method, timed: &[&Method], timing: &Timing) -> Times {
+    let same = |other: &&Method| {
+        other.distribution == method.distribution
+            && other.derivatives == method.derivatives
+            && (!method.filters() || other.name == method.name)
+    };
+    let shading = timed.iter().position(same).map_or(f64::NAN, |index| timing.shading[index]);
+    let motion = if method.derivatives == Derivatives::Analytic { timing.motion } else { 0.0 };
+    let pixel = f64::from(method.samples) * (timing.geometry + motion + shading);
+    Times { shading, pixel }
+}
+
+/// What the panels under one light have in common.
+struct Under<'a> {
+    light: LightKind,
+    alphas: &'a [f64],
+    methods: &'a [Method],
+    times: &'a [Times],
+    judged: &'a [bool],
+}
+
+impl Under<'_> {
+    /// The panels of every alpha and distribution; the first one keeps its pictures if it is `shown`.
+    fn panels(&self, references: &References, pictures: Pictures, shown: bool) -> Vec<Panel> {
+        let mut panels = Vec::new();
+        for (index, mut pictures) in pictures.into_iter().enumerate() {
+            for distribution in Distribution::ALL {
+                let shown = shown && panels.is_empty();
+                let reference = references.of(index, distribution);
+                let alpha = self.alphas[index];
+                panels.push(self.panel(alpha, distribution, reference, &mut pictures, shown));
+            }
+        }
+        panels
+    }
+
+    fn panel(
+        &self,
+        alpha: f64,
+        distribution: Distribution,
+        reference: &Reference,
+        pictures: &mut [Vec<f32>],
+        shown: bool,
+    ) -> Panel {
+        let of_box = &reference.radiance[PixelWindow::Box as usize];
+        let scale = scale(of_box, self.judged);
+        let methods = self.methods.iter().zip(self.times).zip(pictures);
+        let mut rows: Vec<_> = methods
+            .filter(|((method, _), _)| method.distribution == distribution)
+            .map(|((method, times), picture)| {
+                let against = |reference| Errors::of(picture, reference, self.judged, scale);
+                Row {
+                    name: method.name.clone(),
+                    samples: method.samples,
+                    filters: method.filters(),
+                    window: method.window,
+                    errors: against(&reference.radiance[method.window as usize]),
+                    box_errors: against(of_box),
+                    shading: times.shading,
+                    pixel: times.pixel,
+                    pareto: false,
+                    equal_samples: None,
+                    speed_up: None,
+                    picture: shown.then(|| core::mem::take(picture)),
+                }
+            })
+            .collect();
+        compare(&mut rows);
+        Panel {
+            light: self.light,
+            alpha,
+            distribution,
+            scale,
+            noise: reference.noise.map(|noise| noise * scale),
+            reference: shown.then(|| of_box.clone()),
+            rows,
+        }
+    }
+}
+
+/// Fills in what rows are worth against each other: the front, and what supersampling pays for the same error.
+fn compare(rows: &mut [Row]) {
+    let points: Vec<_> = rows.iter().map(Row::point).collect();
+    let front = pareto(&points);
+    rows.iter_mut().zip(front).for_each(|(row, pareto)| row.pareto = pareto);
     let line = |cost: fn(&Row) -> f64| {
         let plain = rows.iter().filter(|row| !row.filters);
         Frontier(plain.map(|row| Point { cost: cost(row), error: row.errors.rmse }).collect())
@@ -183,6 +297,4 @@ fn panel(
         row.equal_samples = samples.price(row.errors.rmse);
         row.speed_up = time.price(row.errors.rmse).map(|price| price.over(row.pixel));
     }
-    let noise = reference.noise * scale;
-    Panel { distribution, scale, noise, reference: reference.radiance.clone(), rows }
 }

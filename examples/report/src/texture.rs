@@ -6,6 +6,7 @@ use lobe::slope::direction::normalize;
 use png::{BitDepth, ColorType, Decoder, Limits};
 
 use crate::scalar::Scalar;
+use crate::vector::{Vector, along, dot, scaled, sub, tangential};
 
 /// Unit normals of a tangent-space normal map, +y up as stored, rows from the top.
 pub(crate) struct Texture {
@@ -74,21 +75,36 @@ impl Texture {
     ///
     /// Texel (i, j) has its centre at (i + 1/2, j + 1/2), as on a GPU.
     #[inline]
-    pub(crate) fn lookup<R: Scalar>(&self, x: R, y: R) -> [R; 3] {
+    pub(crate) fn lookup<R: Scalar>(&self, x: R, y: R) -> Vector<R> {
+        let ([above, below], [fx, fy]) = self.texels(x, y);
+        mix(mix(above[0], above[1], fx), mix(below[0], below[1], fx), fy)
+    }
+
+    /// Derivative of the normalised [`Texture::lookup`] along a step, in texels. At the borders of texels,
+    /// where there are two, one of them.
+    #[inline]
+    pub(crate) fn turn<R: Scalar>(&self, at: [R; 2], step: [R; 2]) -> Vector<R> {
+        let ([above, below], [fx, fy]) = self.texels(at[0], at[1]);
+        let (upper, lower) = (mix(above[0], above[1], fx), mix(below[0], below[1], fx));
+        let across = mix(sub(above[1], above[0]), sub(below[1], below[0]), fy);
+        let change = along(scaled(step[0], across), step[1], sub(lower, upper));
+        let normal = mix(upper, lower, fy);
+        let inverse = R::ONE / dot(normal, normal).sqrt();
+        scaled(inverse, tangential(change, scaled(inverse, normal)))
+    }
+
+    /// The four texels around a point, rows first, and the point's fractions between them.
+    #[inline]
+    fn texels<R: Scalar>(&self, x: R, y: R) -> ([[Vector<R>; 2]; 2], [R; 2]) {
         let (column, fx) = (x - R::HALF).split();
         let (row, fy) = (y - R::HALF).split();
-        let (left, right) = neighbours(column, self.width);
-        let (top, bottom) = neighbours(row, self.height);
+        let columns = neighbours(column, self.width);
+        let rows = neighbours(row, self.height);
         let texel = |column: usize, row: usize| {
             self.normals[row * self.width.unsigned_abs() as usize + column]
                 .map(|c| R::lit(f64::from(c)))
         };
-        let mix = |a: [R; 3], b: [R; 3], t: R| {
-            [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])]
-        };
-        let above = mix(texel(left, top), texel(right, top), fx);
-        let below = mix(texel(left, bottom), texel(right, bottom), fx);
-        mix(above, below, fy)
+        (rows.map(|row| columns.map(|column| texel(column, row))), [fx, fy])
     }
 
     /// Width and height in texels.
@@ -106,12 +122,18 @@ fn unit(texel: [u16; 3], max: f64) -> [f32; 3] {
     normalize(texel.map(|v| 2.0 * f64::from(v) / max - 1.0)).map(|c| c as f32)
 }
 
+/// From `a` at 0 to `b` at 1.
+#[inline]
+fn mix<R: Scalar>(a: Vector<R>, b: Vector<R>, t: R) -> Vector<R> {
+    along(a, t, sub(b, a))
+}
+
 /// A texel index and the next one, repeated with the given period.
 #[inline]
-fn neighbours(index: i32, period: i32) -> (usize, usize) {
+fn neighbours(index: i32, period: i32) -> [usize; 2] {
     let first = index.rem_euclid(period).unsigned_abs() as usize;
     let second = first + 1;
-    (first, if second == period.unsigned_abs() as usize { 0 } else { second })
+    [first, if second == period.unsigned_abs() as usize { 0 } else { second }]
 }
 
 #[cfg(test)]

@@ -4,82 +4,108 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use crate::camera::Size;
-use crate::method::{Material, Method, Rows};
-use crate::render::sample_row;
-use crate::scene::{Sample, Scene};
+use crate::method::{Method, Rows, Surfacing};
+use crate::scene::{Motions, Sample, Scene};
 
 /// Pixels per pass: few enough that their samples stay in cache, as a tile's would, and that most passes
 /// end before another process interrupts them; the median then knows nothing of the others.
 const PIXELS: usize = 4096;
 
 /// Medians over the rounds, nanoseconds per sample.
+#[derive(Clone)]
 pub(crate) struct Timing {
     /// Ray, hit, normal, frame, directions.
     pub(crate) geometry: f64,
-    /// Each method's shading, footprint differences included, in the order given.
+    /// What the motions of analytic derivatives take on top.
+    pub(crate) motion: f64,
+    /// Each method's shading, footprints included, in the order given.
     pub(crate) shading: Vec<f64>,
 }
 
-/// A row with its samples and those of the row above.
-struct Band {
-    y: f32,
+/// Quads of the picture, the upper rows in one row and the lower ones in another.
+struct Quads {
+    places: Vec<[f32; 2]>,
     here: Vec<Sample<f32>>,
-    above: Vec<Sample<f32>>,
+    other: Vec<Sample<f32>>,
+    motions: Vec<Motions<f32>>,
 }
 
-/// Times geometry and the shading of every method on rows spread over the picture.
+impl Quads {
+    /// Quads whose upper pixels are judged, spread over the picture; any quads where none is.
+    fn of(scene: &Scene<f32>, size: Size, judged: &[bool]) -> Self {
+        let corners = (0..size.height)
+            .step_by(2)
+            .flat_map(|y| (0..size.width - size.width % 2).step_by(2).map(move |x| (x, y)));
+        let is_judged = |&(x, y): &(usize, usize)| {
+            let index = y * size.width + x;
+            judged[index] && judged[index + 1]
+        };
+        let mut chosen: Vec<_> = corners.clone().filter(is_judged).collect();
+        if chosen.is_empty() {
+            chosen = corners.collect();
+        }
+        let step = chosen.len().div_ceil(PIXELS / 2).max(1);
+        let places: Vec<_> = chosen
+            .into_iter()
+            .step_by(step)
+            .flat_map(|(x, y)| [0.5, 1.5].map(|k| [x as f32 + k, y as f32 + 0.5]))
+            .collect();
+        let here = places.iter().map(|p| scene.sample(p[0], p[1])).collect();
+        let other = places.iter().map(|p| scene.sample(p[0], p[1] + 1.0)).collect();
+        let motions = places.iter().map(|p| scene.sample_in_motion(p[0], p[1]).1).collect();
+        Self { places, here, other, motions }
+    }
+}
+
+/// Times geometry, motions and the shading of every method.
 ///
 /// Rounds are interleaved, so that a change of clock or a busy neighbour touches all methods alike, and
 /// each begins with another method; the first is a warm-up and does not count.
 pub(crate) fn measure(
     scene: &Scene<f32>,
     size: Size,
-    material: &Material,
+    judged: &[bool],
+    surfacing: &Surfacing,
     methods: &[&Method],
     rounds: usize,
 ) -> Timing {
-    let count = (PIXELS / size.width).clamp(1, size.height);
-    let mut bands: Vec<_> = (0..count)
-        .map(|k| {
-            let y = (k * size.height / count) as f32;
-            let [mut here, mut above] = [Vec::new(), Vec::new()];
-            sample_row(scene, y, [0.5, 0.5], size.width + 1, &mut here);
-            sample_row(scene, y - 1.0, [0.5, 0.5], size.width + 1, &mut above);
-            Band { y, here, above }
-        })
-        .collect();
-    let mut out = vec![0.0; size.width];
-    let shaded = (count * size.width) as f64;
-    let sampled = (count * (size.width + 1)) as f64;
-
-    let mut times = vec![Vec::with_capacity(rounds); methods.len() + 1];
+    let quads = Quads::of(scene, size, judged);
+    let count = quads.places.len();
+    let (mut samples, mut motions) = (quads.here.clone(), quads.motions.clone());
+    let mut out = vec![0.0; count];
+    let tasks = methods.len() + 2;
+    let mut times = vec![Vec::with_capacity(rounds); tasks];
     for round in 0..=rounds {
-        for turn in 0..=methods.len() {
-            let task = (round + turn) % (methods.len() + 1);
-            let nanoseconds = if let Some(method) = methods.get(task) {
-                let start = Instant::now();
-                for band in &bands {
-                    let rows = Rows { here: &band.here, above: &band.above };
-                    method.shade(black_box(material), black_box(&rows), &mut out);
-                    black_box(&mut out);
+        for turn in 0..tasks {
+            let task = (round + turn) % tasks;
+            let start = Instant::now();
+            if let Some(method) = methods.get(task) {
+                let rows = Rows { here: &quads.here, other: &quads.other, motions: &quads.motions };
+                method.shade(black_box(surfacing), black_box(&rows), &mut out);
+                black_box(&mut out);
+            } else if task == methods.len() {
+                for (sample, place) in samples.iter_mut().zip(&quads.places) {
+                    *sample = scene.sample(place[0], place[1]);
                 }
-                start.elapsed().as_secs_f64() * 1e9 / shaded
+                black_box(&mut samples);
             } else {
-                let start = Instant::now();
-                for band in &mut bands {
-                    sample_row(scene, band.y, [0.5, 0.5], size.width + 1, &mut band.here);
-                    black_box(&mut band.here);
+                for ((sample, motions), place) in
+                    samples.iter_mut().zip(&mut motions).zip(&quads.places)
+                {
+                    (*sample, *motions) = scene.sample_in_motion(place[0], place[1]);
                 }
-                start.elapsed().as_secs_f64() * 1e9 / sampled
-            };
+                black_box((&mut samples, &mut motions));
+            }
+            let nanoseconds = start.elapsed().as_secs_f64() * 1e9 / count as f64;
             if round > 0 {
                 times[task].push(nanoseconds);
             }
         }
     }
     let mut shading: Vec<_> = times.into_iter().map(median).collect();
+    let in_motion = shading.pop().unwrap_or_default();
     let geometry = shading.pop().unwrap_or_default();
-    Timing { geometry, shading }
+    Timing { geometry, motion: (in_motion - geometry).max(0.0), shading }
 }
 
 fn median(mut values: Vec<f64>) -> f64 {

@@ -32,6 +32,7 @@ fn numbers_out_of_range_name_their_parameter() {
         ("--alpha", ["0", "-0.1", "nan", "inf", "2", "rough"].as_slice()),
         ("--size", ["0", "-3", "4.5", "100000", "large"].as_slice()),
         ("--scene", ["fire", ""].as_slice()),
+        ("--light", ["candle", ""].as_slice()),
     ] {
         for value in values {
             let line = refusal(&[&format!("{parameter}={value}")]);
@@ -85,8 +86,11 @@ fn normal_maps_that_cannot_be_used_are_named_and_leave_nothing_behind() {
 }
 
 #[test]
-fn a_normal_map_without_a_plane_is_a_mistake() {
-    assert!(refusal(&["--scene", "water", "--normal-map", "x.png"]).contains("--normal-map"));
+fn a_normal_map_on_a_scene_without_one_is_a_mistake() {
+    for scene in ["water", "sphere", "torus", "strip", "disc"] {
+        let line = refusal(&["--scene", scene, "--normal-map", "x.png"]);
+        assert!(line.contains("--normal-map") && line.contains(scene), "{line}");
+    }
 }
 
 #[test]
@@ -104,7 +108,7 @@ fn help_names_every_option() {
     let output = report(&["--help"]);
     assert!(output.status.success());
     let text = String::from_utf8(output.stdout).unwrap();
-    for option in ["--quick", "--scene", "--normal-map", "--alpha", "--size", "--out"] {
+    for option in ["--quick", "--scene", "--light", "--normal-map", "--alpha", "--size", "--out"] {
         assert!(text.contains(option), "{option}");
     }
 }

@@ -9,7 +9,8 @@ fn run(name: &str, arguments: &[&str]) -> (String, String) {
     let folder: PathBuf = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = fs::remove_dir_all(&folder);
     let output = Command::new(env!("CARGO_BIN_EXE_lobe-report"))
-        .args(["--quick", "--size", "32", "--out", folder.to_str().unwrap()])
+        .args(["--quick", "--out", folder.to_str().unwrap()])
+        .args(if arguments.contains(&"--size") { [].as_slice() } else { &["--size", "32"] })
         .args(arguments)
         .output()
         .unwrap();
@@ -45,7 +46,9 @@ fn water_gives_one_self_contained_page_with_finite_numbers() {
     assert_self_contained(&page);
     assert_eq!(page.matches("<svg").count(), 2);
     assert_eq!(page.matches("<img").count(), 4);
-    for (name, rows) in [("exact parallelogram", 1), ("supersampling 256", 2), ("rectangle", 2)] {
+    // Two alphas; supersampling and rectangles for both distributions, parallelograms for GGX with two kinds
+    // of footprints.
+    for (name, rows) in [("exact parallelogram", 4), ("supersampling 256", 4), ("rectangle", 4)] {
         let lines = text.lines().filter(|line| line.starts_with(name));
         assert_eq!(lines.count(), rows, "{name}");
         assert!(page.contains(name), "{name}");
@@ -57,19 +60,54 @@ fn water_gives_one_self_contained_page_with_finite_numbers() {
 
 #[test]
 fn on_water_the_exact_filter_beats_every_other_and_supersampling_converges() {
-    let (text, _) = run("order", &["--scene", "water"]);
+    let (text, _) = run("order", &["--scene", "water", "--alpha", "0.01"]);
     let ggx: Vec<_> = text.lines().take_while(|line| !line.starts_with("Beckmann")).collect();
     let rmse = |name: &str| -> f64 {
-        let line = ggx.iter().find(|line| line.starts_with(name)).unwrap();
-        // Name, samples, RMSE: names end where two spaces begin.
-        let cells = line[name.len()..].split_whitespace().collect::<Vec<_>>();
-        cells[1].parse().unwrap()
+        // Names end where two spaces begin.
+        let start = format!("{name}  ");
+        let line = ggx.iter().find(|line| line.starts_with(&start)).unwrap();
+        // Samples, pixel filter (a word or two, not a number), RMSE.
+        let mut cells = line[name.len()..].split_whitespace().skip(1);
+        cells.find_map(|cell| cell.parse().ok()).unwrap()
     };
-    let exact = rmse("exact parallelogram");
-    for other in ["none (1 sample)", "variance addition, box", "rectangle", "Tokuyoshi 2017"] {
-        assert!(exact < rmse(other), "{other}");
+    for kind in ["", ", analytic"] {
+        let exact = rmse(&format!("exact parallelogram{kind}"));
+        for other in ["variance addition, 1/12", "Tokuyoshi 2017"] {
+            assert!(exact < rmse(&format!("{other}{kind}")), "{other}{kind}");
+        }
+        for other in ["none (1 sample)", "rectangle", "variance addition, 1/4"] {
+            assert!(exact < rmse(other), "{other}");
+        }
     }
     assert!(rmse("supersampling 256") < 0.25 * rmse("supersampling 16"));
+}
+
+#[test]
+fn every_scene_runs_under_both_lights_at_one_alpha() {
+    for (scene, title) in [
+        ("sphere", "sphere"),
+        ("torus", "torus"),
+        ("mapped-sphere", "sphere: leather"),
+        ("strip", "strip"),
+        ("disc", "disc"),
+    ] {
+        let (text, page) = run(scene, &["--scene", scene, "--light", "all", "--alpha", "0.05"]);
+        assert_self_contained(&page);
+        assert!(page.contains(&format!("<h2>{title}</h2>")), "{title}");
+        for light in ["distant light", "point light"] {
+            let headings =
+                text.lines().filter(|line| line.ends_with(&format!("{light}, alpha 0.05")));
+            assert_eq!(headings.count(), 2, "{light} in\n{text}");
+        }
+        assert!(!text.contains("NaN"), "{text}");
+    }
+}
+
+#[test]
+fn pictures_too_small_to_judge_say_so_with_dashes() {
+    let (text, _) = run("tiny", &["--scene", "torus", "--size", "16", "--light", "point"]);
+    assert!(text.contains("16 x 9 pixels"));
+    assert!(!text.contains("NaN"), "{text}");
 }
 
 #[test]

@@ -1,120 +1,121 @@
-//! The shading functions: BRDF times cosine of one pixel, a few lines each.
+//! The shading functions: BRDF times cosine and light of one pixel, a few lines each.
 //!
-//! All f32, as an engine computes. Footprints are differences of the half vectors of the pixel and of
-//! its right and upper neighbours, each in its own shading frame: what `ddx` and `ddy` give.
+//! Generic over the precision, the material's shape and where derivatives come from.
+
+use core::marker::PhantomData;
 
 use lobe::filter::{beckmann_rectangle_mean, kaplanyan_rectangle_mean};
+use lobe::ndf::{BeckmannDistribution, GgxDistribution};
 use lobe::slope::direction::slope_of;
-use lobe::{Beckmann, Distribution, Footprint, Full, Ggx, Kernel, Ndf, PixelFilter, Shape};
+use lobe::{Distribution, Full, Kernel, Ndf, PixelFilter, Real, Shape};
 
-use super::Material;
+use super::material::Material;
+use super::pixel::Pixel;
 use crate::scene::Sample;
 
-/// A pixel and the neighbours that its differences reach for.
-pub(super) struct Quad<'a> {
-    pub(super) here: &'a Sample<f32>,
-    pub(super) right: &'a Sample<f32>,
-    pub(super) above: &'a Sample<f32>,
+/// A way to shade a pixel.
+pub(super) trait Shade {
+    /// Radiance towards the eye.
+    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar;
 }
 
-impl Quad<'_> {
-    /// The pixel's footprint on the slope plane; none where a half vector is below the horizon.
+/// BRDF times cosine and light.
+#[inline]
+fn lit<R: Real>(brdf: R, sample: &Sample<R>) -> R {
+    brdf * sample.wi[2] * sample.strength
+}
+
+/// One sample, no filter.
+pub(super) struct Plain<D>(pub(super) PhantomData<D>);
+
+impl<D: Distribution> Shade for Plain<D> {
     #[inline]
-    fn footprint(&self) -> Footprint<f32> {
-        Footprint::from_half_vectors(self.here.half, self.right.half, self.above.half)
-            .unwrap_or_default()
+    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
+        let sample = pixel.sample();
+        lit(Ndf::<D, S>::new(material.shape).brdf(sample.wo, sample.wi), sample)
     }
+}
 
-    /// The same from differences on the projected disk, taken as slopes.
+/// A Gaussian kernel of a pixel filter, its variance added to the roughness: for Beckmann the convolution.
+pub(super) struct Widened<D>(pub(super) PixelFilter, pub(super) PhantomData<D>);
+
+impl<D: Distribution> Shade for Widened<D> {
     #[inline]
-    fn narrowed_footprint(&self) -> Footprint<f32> {
-        let [x, y, _] = self.here.half;
-        let to = |other: &Sample<f32>| [other.half[0] - x, other.half[1] - y];
-        Footprint::from_disk_narrowed(to(self.right), to(self.above))
-    }
-}
-
-/// BRDF times cosine.
-#[inline]
-fn lit<D: Distribution, S: Shape<Scalar = f32>>(ndf: Ndf<D, S>, sample: &Sample<f32>) -> f32 {
-    ndf.brdf(sample.wo, sample.wi) * sample.wi[2]
-}
-
-/// One sample, no filter: GGX.
-#[inline]
-pub(super) fn plain_ggx(material: &Material, quad: &Quad<'_>) -> f32 {
-    lit(Ggx::new(material.shape), quad.here)
-}
-
-/// One sample, no filter: Beckmann.
-#[inline]
-pub(super) fn plain_beckmann(material: &Material, quad: &Quad<'_>) -> f32 {
-    lit(Beckmann::new(material.shape), quad.here)
-}
-
-/// A Gaussian kernel of the given pixel filter, its variance added to GGX's roughness.
-#[inline]
-pub(super) fn widened_ggx(filter: PixelFilter) -> impl Fn(&Material, &Quad<'_>) -> f32 {
-    move |material, quad| {
-        let kernel = Kernel::of(&quad.footprint(), filter);
-        lit(Ggx::new(Full::new(material.roughness.widened(&kernel))), quad.here)
-    }
-}
-
-/// A Gaussian kernel of the given pixel filter, convolved with Beckmann.
-#[inline]
-pub(super) fn widened_beckmann(filter: PixelFilter) -> impl Fn(&Material, &Quad<'_>) -> f32 {
-    move |material, quad| {
-        let kernel = Kernel::of(&quad.footprint(), filter);
-        lit(Beckmann::new(Full::new(material.roughness.widened(&kernel))), quad.here)
+    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
+        let kernel = Kernel::of(&pixel.footprint(), self.0);
+        let shape = Full::new(material.roughness.widened(&kernel));
+        let sample = pixel.sample();
+        lit(Ndf::<D, _>::new(shape).brdf(sample.wo, sample.wi), sample)
     }
 }
 
 /// Disk derivatives used unchanged, a wide kernel, a cap on what it adds.
-#[inline]
-pub(super) fn tokuyoshi(material: &Material, quad: &Quad<'_>) -> f32 {
-    let kernel = Kernel::of(&quad.narrowed_footprint(), PixelFilter::KAPLANYAN)
-        .capped(Kernel::<f32>::ALPHA_SQUARED_LIMIT as f32);
-    lit(Ggx::new(Full::new(material.roughness.widened(&kernel))), quad.here)
+pub(super) struct Tokuyoshi;
+
+impl Shade for Tokuyoshi {
+    #[inline]
+    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
+        let limit = S::Scalar::lit(Kernel::<S::Scalar>::ALPHA_SQUARED_LIMIT);
+        let kernel = Kernel::of(&pixel.narrowed_footprint(), PixelFilter::KAPLANYAN).capped(limit);
+        let shape = Full::new(material.roughness.widened(&kernel));
+        let sample = pixel.sample();
+        lit(Ndf::<GgxDistribution, _>::new(shape).brdf(sample.wo, sample.wi), sample)
+    }
 }
 
 /// Extents of the rectangle, below and above: Kaplanyan et al. 2016, section 5.2. The lower one keeps
 /// Appendix A out of its cancellation.
-const EXTENTS: (f32, f32) = (1e-3, 1.0);
+const EXTENTS: [f64; 2] = [1e-3, 1.0];
 
-/// GGX over the footprint's bounding rectangle, by eight arctangents.
-#[inline]
-pub(super) fn rectangle_ggx(material: &Material, quad: &Quad<'_>) -> f32 {
-    rectangle(Ggx::new(material.shape), material, quad, kaplanyan_rectangle_mean)
+/// The mean of a distribution over the footprint's clamped bounding rectangle.
+pub(super) struct Rectangle<D>(pub(super) PhantomData<D>);
+
+/// A distribution with a mean over rectangles along its axes, given alphas, slope and widths.
+pub(super) trait RectangleMean: Distribution {
+    fn mean<R: Real>(alphas: [R; 2], slope: [R; 2], widths: [R; 2]) -> R;
 }
 
-/// Beckmann over the footprint's bounding rectangle, by differences of the error function.
-#[inline]
-pub(super) fn rectangle_beckmann(material: &Material, quad: &Quad<'_>) -> f32 {
-    rectangle(Beckmann::new(material.shape), material, quad, beckmann_rectangle_mean)
-}
-
-/// BRDF times cosine with the NDF's mean over the clamped bounding rectangle.
-#[inline]
-fn rectangle<D: Distribution, S: Shape<Scalar = f32>>(
-    ndf: Ndf<D, S>,
-    material: &Material,
-    quad: &Quad<'_>,
-    mean: impl Fn([f32; 2], [f32; 2], [f32; 2]) -> f32,
-) -> f32 {
-    let Sample { wo, wi, half } = *quad.here;
-    if half[2] <= 0.0 {
-        return 0.0;
+impl RectangleMean for GgxDistribution {
+    /// By eight arctangents.
+    #[inline]
+    fn mean<R: Real>(alphas: [R; 2], slope: [R; 2], widths: [R; 2]) -> R {
+        kaplanyan_rectangle_mean(alphas, slope, widths)
     }
-    let widths = quad.footprint().extents().map(|width| width.clamp(EXTENTS.0, EXTENTS.1));
-    let cos2 = half[2] * half[2];
-    let d = mean([material.alpha; 2], slope_of(half), widths) / (cos2 * cos2);
-    d * ndf.visibility(wo, wi) * wi[2]
+}
+
+impl RectangleMean for BeckmannDistribution {
+    /// By differences of the error function.
+    #[inline]
+    fn mean<R: Real>(alphas: [R; 2], slope: [R; 2], widths: [R; 2]) -> R {
+        beckmann_rectangle_mean(alphas, slope, widths)
+    }
+}
+
+impl<D: RectangleMean> Shade for Rectangle<D> {
+    #[inline]
+    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
+        let sample = pixel.sample();
+        let half = sample.half;
+        if !(half[2] > S::Scalar::ZERO) {
+            return S::Scalar::ZERO;
+        }
+        let [least, most] = EXTENTS.map(S::Scalar::lit);
+        let widths = pixel.footprint().extents().map(|width| width.max(least).min(most));
+        let cos2 = half[2] * half[2];
+        let d = D::mean(material.alphas, slope_of(half), widths) / (cos2 * cos2);
+        let visibility = Ndf::<D, S>::new(material.shape).visibility(sample.wo, sample.wi);
+        lit(d * visibility, sample)
+    }
 }
 
 /// GGX over the footprint itself.
-#[inline]
-pub(super) fn parallelogram_ggx(material: &Material, quad: &Quad<'_>) -> f32 {
-    let Sample { wo, wi, .. } = *quad.here;
-    Ggx::new(material.shape).brdf_over(wo, wi, &quad.footprint()) * wi[2]
+pub(super) struct Parallelogram;
+
+impl Shade for Parallelogram {
+    #[inline]
+    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
+        let sample = pixel.sample();
+        let ggx = Ndf::<GgxDistribution, S>::new(material.shape);
+        lit(ggx.brdf_over(sample.wo, sample.wi, &pixel.footprint()), sample)
+    }
 }

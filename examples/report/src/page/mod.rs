@@ -6,7 +6,6 @@ mod section;
 mod table;
 
 use crate::method::{Distribution, Method};
-use crate::options::Options;
 use crate::study::{Effort, Panel, Row, Study};
 use crate::timing;
 use section::{equal_samples, equal_time};
@@ -16,15 +15,14 @@ pub(crate) use section::text;
 
 /// Everything the page shows.
 pub(crate) struct Report {
-    alpha: f64,
     effort: Effort,
     processor: String,
     pub(crate) studies: Vec<Study>,
 }
 
 impl Report {
-    pub(crate) fn new(options: &Options, effort: Effort) -> Self {
-        Self { alpha: options.alpha, effort, processor: timing::processor(), studies: Vec::new() }
+    pub(crate) fn new(effort: Effort) -> Self {
+        Self { effort, processor: timing::processor(), studies: Vec::new() }
     }
 
     /// One line per scene and distribution: the best filter, its cost and what it saves.
@@ -64,20 +62,21 @@ impl Report {
              <title>lobe: error against run time</title>\n<style>\n{}</style>\n</head>\n<body>\n\
              <h1>Error against run time</h1>\n\
              <p class=\"lead\">Specular filters at one sample per pixel against plain supersampling, \
-             alpha = {}. The large number is how much longer supersampling takes to reach the best \
+             plots at alpha = {}. The large number is how much longer supersampling takes to reach the best \
              filter\u{2019}s error.</p>\n\
              {}{}{}</body>\n</html>\n",
             include_str!("style.css"),
-            self.alpha,
+            self.effort.alphas.first().copied().unwrap_or_default(),
             self.summary(),
             sections.concat(),
             self.explanation(methods),
         )
     }
 
-    /// Each study's best filters.
+    /// Each study's best filters under the first light at the smallest alpha.
     fn findings(&self) -> impl Iterator<Item = (&Study, &Panel, &Row)> {
-        let panels = self.studies.iter().flat_map(|s| s.panels.iter().map(move |p| (s, p)));
+        let leading = |study| section::leading(study).iter();
+        let panels = self.studies.iter().flat_map(move |s| leading(s).map(move |p| (s, p)));
         panels.filter_map(|(study, panel)| Some((study, panel, panel.best()?)))
     }
 
@@ -117,16 +116,17 @@ impl Report {
 
     /// How it was measured, and the methods with their sources.
     fn explanation(&self, methods: &[Method]) -> String {
-        let rows = methods.iter().filter(|m| m.filters || m.samples == 1).map(|m| Line {
+        let rows = methods.iter().filter(|m| m.filters() || m.samples == 1).map(|m| Line {
             cells: vec![
-                if m.filters { m.name.clone() } else { "none, supersampling".into() },
+                if m.filters() { m.name.clone() } else { "none, supersampling".into() },
                 m.distribution.name().into(),
+                m.window.name().into(),
                 m.source.into(),
                 m.note.into(),
             ],
             class: "",
         });
-        let headers = &["Method", "NDF", "Source", "What it does"];
+        let headers = &["Method", "NDF", "Pixel filter", "Source", "What it does"];
         let table = Table { headers, rows: rows.collect() };
         let rounds = self.effort.rounds.to_string();
         format!(

@@ -4,7 +4,9 @@ use super::picture::{self, Tone};
 use super::table::{Line, Table, significant};
 use super::{escape, plot};
 use crate::method::Distribution;
+use crate::metric::Errors;
 use crate::study::{Panel, Row, Study};
+use crate::window::PixelWindow;
 
 /// A reference whose noise exceeds this part of the best filter's error is not called converged.
 const CONVERGED: f64 = 0.1;
@@ -15,100 +17,197 @@ const COLUMN: usize = 560;
 /// What stands for a number that there is none of.
 const NONE: &str = "\u{2013}";
 
+/// The panels that are shown in full: the first light at the smallest alpha.
+pub(super) fn leading(study: &Study) -> &[Panel] {
+    &study.panels[..Distribution::ALL.len().min(study.panels.len())]
+}
+
 /// Plots, tables, pictures.
 pub(super) fn html(study: &Study) -> String {
-    let plots = study.panels.iter().map(|panel| {
+    let plots = leading(study).iter().map(|panel| {
         format!("<figure><h3>{}</h3>\n{}</figure>\n", panel.distribution.name(), plot::svg(panel))
     });
-    let tables = study.panels.iter().map(|panel| {
+    let tables = leading(study).iter().map(|panel| {
         let warnings = warnings(panel)
             .into_iter()
             .map(|warning| format!("<p class=\"note warning\">{}</p>\n", escape(&warning)));
         format!(
-            "<h3>{}</h3>\n{}<p class=\"note\">{}</p>\n{}",
-            panel.distribution.name(),
+            "<h3>{}</h3>\n{}<p class=\"note\">{}</p>\n{}<h4>{}</h4>\n{}",
+            heading(panel),
             table(panel).html(),
             noise(panel),
             warnings.collect::<Vec<_>>().concat(),
+            AGAINST_BOX,
+            box_table(panel).html(),
         )
     });
-    let ggx = study.panels.iter().filter(|panel| panel.distribution == Distribution::Ggx);
+    let rest = study.panels[leading(study).len()..].iter().map(|panel| {
+        format!(
+            "<h4>{}</h4>\n{}<p class=\"note\">{}</p>\n",
+            heading(panel),
+            compact_table(panel).html(),
+            noise(panel),
+        )
+    });
     format!(
-        "<h2>{}</h2>\n<p class=\"caption\">{} {} x {} pixels; geometry {} ns per sample.</p>\n\
-         <div class=\"plots\">\n{}</div>\n{}{}",
+        "<h2>{}</h2>\n<p class=\"caption\">{} {}</p>\n\
+         <div class=\"plots\">\n{}</div>\n{}{}{}",
         escape(&study.name),
         escape(&study.caption),
-        study.size.width,
-        study.size.height,
-        significant(study.geometry),
+        escape(&facts(study)),
         plots.collect::<Vec<_>>().concat(),
         tables.collect::<Vec<_>>().concat(),
-        ggx.map(|panel| pictures(study, panel)).collect::<Vec<_>>().concat(),
+        leading(study).iter().map(|panel| pictures(study, panel)).collect::<Vec<_>>().concat(),
+        rest.collect::<Vec<_>>().concat(),
+    )
+}
+
+const AGAINST_BOX: &str = "Every method against the box pixel";
+
+/// Light, alpha and distribution.
+fn heading(panel: &Panel) -> String {
+    format!("{}, {}, alpha {}", panel.distribution.name(), panel.light.name(), panel.alpha)
+}
+
+/// Size, what is judged, times and footprints of a scene.
+fn facts(study: &Study) -> String {
+    let footprints = study.disagreement.map_or(String::new(), |footprints| {
+        format!(
+            " Footprints from quads differ from analytic ones by {:.0} % in the mean, {:.0} % in the median.",
+            100.0 * footprints.mean,
+            100.0 * footprints.median,
+        )
+    });
+    format!(
+        "{} x {} pixels, {:.0} % of them judged; geometry {} ns per sample, {} ns more with motions.{footprints}",
+        study.size.width,
+        study.size.height,
+        100.0 * study.judged_part(),
+        significant(study.geometry),
+        significant(study.motion),
     )
 }
 
 /// The same for the terminal, without plots and pictures.
 pub(crate) fn text(study: &Study) -> String {
-    let head = format!(
-        "\n{}\n{}\nGeometry: {} ns per sample.\n",
-        study.name,
-        study.caption,
-        significant(study.geometry)
-    );
-    let panels = study.panels.iter().map(|panel| {
+    let head = format!("\n{}\n{}\n{}\n", study.name, study.caption, facts(study));
+    let leading_panels = leading(study).iter().map(|panel| {
         let warnings = warnings(panel).into_iter().map(|warning| format!("Warning: {warning}\n"));
         format!(
             "\n{}\n{}{}\n{}",
-            panel.distribution.name(),
+            heading(panel),
             table(panel).text(),
             noise(panel),
             warnings.collect::<Vec<_>>().concat(),
         )
     });
-    head + &panels.collect::<Vec<_>>().concat()
+    let rest = study.panels[leading(study).len()..].iter().map(|panel| {
+        format!("\n{}\n{}{}\n", heading(panel), compact_table(panel).text(), noise(panel))
+    });
+    head + &leading_panels.chain(rest).collect::<Vec<_>>().concat()
 }
 
+/// Errors against the methods' own pixel filters, and times.
 fn table(panel: &Panel) -> Table {
     let best = panel.best().map(|row| &row.name);
     let rows = panel.rows.iter().map(|row| {
         let errors = row.errors;
-        let energy =
-            if errors.energy.is_finite() { format!("{:.3}", errors.energy) } else { NONE.into() };
         Line {
             cells: vec![
                 row.name.clone(),
                 row.samples.to_string(),
+                row.window.name().into(),
                 significant(errors.rmse),
+                significant(panel.noise_of(row)),
                 significant(errors.rel_mse),
-                energy,
+                significant(errors.smape),
+                energy(&errors),
                 significant(errors.worst),
                 significant(row.shading),
                 significant(row.pixel),
+                if row.pareto { "yes" } else { "" }.into(),
                 equal_samples(row),
                 equal_time(row),
             ],
-            class: match row.filters {
-                true if Some(&row.name) == best => "best",
-                true => "",
-                false => "plain",
-            },
+            class: class(row, best),
         }
     });
     Table {
         headers: &[
             "Method",
             "Samples",
+            "Pixel filter",
             "RMSE",
+            "Noise",
             "relMSE",
+            "SMAPE",
             "Energy",
             "Worst",
             "Shading ns",
             "ns per pixel",
+            "Front",
             "Equal samples",
             "Equal time",
         ],
         rows: rows.collect(),
     }
+}
+
+/// Errors of every method against the box, noise beside them.
+fn box_table(panel: &Panel) -> Table {
+    let noise = panel.noise[PixelWindow::Box as usize];
+    let rows = panel.rows.iter().map(|row| {
+        let errors = row.box_errors;
+        Line {
+            cells: vec![
+                row.name.clone(),
+                row.samples.to_string(),
+                significant(errors.rmse),
+                significant(noise),
+                significant(errors.rel_mse),
+                significant(errors.smape),
+                energy(&errors),
+                significant(errors.worst),
+            ],
+            class: class(row, None),
+        }
+    });
+    let headers = &["Method", "Samples", "RMSE", "Noise", "relMSE", "SMAPE", "Energy", "Worst"];
+    Table { headers, rows: rows.collect() }
+}
+
+/// One line per method for the other lights and alphas.
+fn compact_table(panel: &Panel) -> Table {
+    let best = panel.best().map(|row| &row.name);
+    let rows = panel.rows.iter().map(|row| Line {
+        cells: vec![
+            row.name.clone(),
+            significant(row.errors.rmse),
+            significant(row.errors.smape),
+            significant(row.box_errors.rmse),
+            significant(row.box_errors.smape),
+            equal_samples(row),
+            equal_time(row),
+        ],
+        class: class(row, best),
+    });
+    let headers =
+        &["Method", "RMSE", "SMAPE", "RMSE, box", "SMAPE, box", "Equal samples", "Equal time"];
+    Table { headers, rows: rows.collect() }
+}
+
+/// CSS class of a row.
+fn class(row: &Row, best: Option<&String>) -> &'static str {
+    match row.filters {
+        true if Some(&row.name) == best => "best",
+        true => "",
+        false => "plain",
+    }
+}
+
+/// The energy ratio, with three decimals.
+fn energy(errors: &Errors) -> String {
+    if errors.energy.is_finite() { format!("{:.3}", errors.energy) } else { NONE.into() }
 }
 
 /// Samples of supersampling at the row's error.
@@ -122,11 +221,11 @@ pub(super) fn equal_time(row: &Row) -> String {
 }
 
 fn noise(panel: &Panel) -> String {
-    let [of_best, of_least] = panel.noise_ratios().map(|ratio| 100.0 * ratio);
+    let [of_best, of_most] = panel.noise_ratios().map(|ratio| 100.0 * ratio);
     format!(
-        "Noise of the reference: {}, {of_best:.2} % of the best filter\u{2019}s RMSE, {of_least:.1} % of \
-         the smallest above.",
-        significant(panel.noise),
+        "Noise of the box reference: {}. Noise of each method\u{2019}s reference: {of_best:.2} % of the best \
+         filter\u{2019}s RMSE, at most {of_most:.1} % of any.",
+        significant(panel.noise[PixelWindow::Box as usize]),
     )
 }
 
@@ -141,25 +240,33 @@ fn warnings(panel: &Panel) -> Vec<String> {
     unsure.into_iter().chain(worse).collect()
 }
 
+/// Pictures of a panel on its scale, black where it is not judged: unfiltered, best filter, reference. `None`
+/// if they were not kept.
+fn scaled_pictures(study: &Study, panel: &Panel) -> Option<[Vec<f64>; 3]> {
+    let scaled = |values: &mut dyn Iterator<Item = f64>| -> Vec<f64> {
+        let pixels = values.zip(&study.judged);
+        pixels.map(|(x, judged)| if *judged { x * panel.scale } else { 0.0 }).collect()
+    };
+    let picture = |row: &Row| -> Option<Vec<f64>> {
+        Some(scaled(&mut row.picture.as_ref()?.iter().map(|&x| f64::from(x))))
+    };
+    let reference = scaled(&mut panel.reference.as_ref()?.iter().copied());
+    Some([picture(panel.plain()?)?, picture(panel.best()?)?, reference])
+}
+
 /// Unfiltered, best and reference of the first distribution side by side, as a PNG file.
 pub(super) fn cover(study: &Study) -> Option<Vec<u8>> {
-    let panel = study.panels.first()?;
-    let scaled = |picture: &[f32]| -> Vec<f64> {
-        picture.iter().map(|&x| f64::from(x) * panel.scale).collect()
-    };
-    let (plain, best) = (scaled(&panel.plain()?.picture), scaled(&panel.best()?.picture));
-    let reference: Vec<_> = panel.reference.iter().map(|r| r * panel.scale).collect();
+    let [plain, best, reference] = scaled_pictures(study, study.panels.first()?)?;
     Some(Tone::of(&reference).strip(study.size, &[&plain, &best, &reference]))
 }
 
 /// Unfiltered, best, reference and the difference of the last two.
 fn pictures(study: &Study, panel: &Panel) -> String {
-    let (Some(plain), Some(best)) = (panel.plain(), panel.best()) else { return String::new() };
-    let scaled = |picture: &[f32]| -> Vec<f64> {
-        picture.iter().map(|&x| f64::from(x) * panel.scale).collect()
+    let (Some([plain, filtered, reference]), Some(best)) =
+        (scaled_pictures(study, panel), panel.best())
+    else {
+        return String::new();
     };
-    let (plain, filtered) = (scaled(&plain.picture), scaled(&best.picture));
-    let reference: Vec<_> = panel.reference.iter().map(|r| r * panel.scale).collect();
     let difference: Vec<_> = filtered.iter().zip(&reference).map(|(x, r)| (x - r).abs()).collect();
     let (scene, name) = (escape(&study.name), escape(&best.name));
 

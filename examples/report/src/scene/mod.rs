@@ -1,22 +1,34 @@
-//! What is rendered: a bumpy plane, a camera above it, a distant light.
+//! What is rendered: a surface, a camera, a light; in f32 for the methods and in f64 for the reference.
 //!
-//! A new scene is a new [`Surface`] in a file of its own and one more entry in `main`'s list.
+//! A new scene is a new [`Surface`] in a file of its own and one more constructor of [`Subject`].
 
+mod balls;
+mod disc;
+mod map;
+mod mapped_ball;
 mod plane;
+mod strips;
+mod subject;
+mod surface;
+mod torus;
 mod water;
 
+use lobe::slope::Motion;
 use lobe::slope::direction::half_vector;
 
-use crate::camera::{Camera, Size};
+use crate::camera::{Camera, Ray};
 use crate::frame::Frame;
+use crate::light::Light;
 use crate::scalar::Scalar;
-use plane::MappedPlane;
-use water::Waves;
+use crate::vector::{add, along, dot, scaled, sub, tangential};
+use surface::{Hit, Shape, Surface, on_shape};
 
-pub(crate) use plane::{NormalMap, carried_maps};
+pub(crate) use disc::ACROSS;
+pub(crate) use map::{NormalMap, carried_maps};
+pub(crate) use subject::Subject;
 
 /// What shading needs of one point of the picture, in the point's own shading frame.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Sample<R> {
     /// To the eye.
     pub(crate) wo: [R; 3],
@@ -24,111 +36,101 @@ pub(crate) struct Sample<R> {
     pub(crate) wi: [R; 3],
     /// Their unit half vector.
     pub(crate) half: [R; 3],
+    /// Irradiance on a surface that faces the light.
+    pub(crate) strength: R,
+    /// Whether there is a surface. Without one all directions are zero and shade to black.
+    pub(crate) hit: bool,
 }
 
-/// A scene in one precision.
+/// Changes of a sample to the pixel at the right and to the one below: of $w_o + w_i$, of the shading normal
+/// and of the frame about it.
+pub(crate) type Motions<R> = [Motion<R>; 2];
+
+/// A lit surface in one precision.
 pub(crate) struct Scene<R> {
     camera: Camera<R>,
-    light: [R; 3],
+    light: Light<R>,
     surface: Surface<R>,
-}
-
-/// Where the normals come from.
-enum Surface<R> {
-    Water(Waves<R>),
-    Plane(MappedPlane<R>),
-}
-
-impl Surface<f64> {
-    /// The same in another precision.
-    fn cast<R: Scalar>(&self) -> Surface<R> {
-        match self {
-            Self::Water(waves) => Surface::Water(waves.cast()),
-            Self::Plane(plane) => Surface::Plane(plane.cast()),
-        }
-    }
 }
 
 impl<R: Scalar> Scene<R> {
     /// The sample at the picture's point (x, y); pixel centres are at halves.
     ///
-    /// Ray, hit of the mean plane, normal, frame, directions: what the report calls geometry.
+    /// Ray, hit, normal, frame, directions: what the report calls geometry.
     #[inline]
     pub(crate) fn sample(&self, x: R, y: R) -> Sample<R> {
-        let (point, eye) = self.camera.hit(x, y);
-        let normal = match &self.surface {
-            Surface::Water(waves) => waves.normal(point),
-            Surface::Plane(plane) => plane.normal(point),
-        };
-        let frame = Frame::around(normal);
-        let (wo, wi) = (frame.to_local(eye), frame.to_local(self.light));
-        Sample { wo, wi, half: half_vector(wo, wi) }
+        on_shape!(&self.surface, shape => self.sample_on(shape, x, y))
+    }
+
+    #[inline(always)]
+    fn sample_on(&self, shape: &impl Shape<R>, x: R, y: R) -> Sample<R> {
+        let ray = self.camera.ray(x, y);
+        match shape.hit(&ray) {
+            Some(hit) => self.lit(&ray, &hit, &Frame::around(hit.normal, hit.tangent)),
+            None => Sample::default(),
+        }
+    }
+
+    /// The sample with its motions, by ray differentials and the surface's own derivatives.
+    #[inline]
+    pub(crate) fn sample_in_motion(&self, x: R, y: R) -> (Sample<R>, Motions<R>) {
+        on_shape!(&self.surface, shape => self.sample_in_motion_on(shape, x, y))
+    }
+
+    #[inline(always)]
+    fn sample_in_motion_on(&self, shape: &impl Shape<R>, x: R, y: R) -> (Sample<R>, Motions<R>) {
+        let ray = self.camera.ray(x, y);
+        let Some(hit) = shape.hit(&ray) else { return Default::default() };
+        let frame = Frame::around(hit.normal, hit.tangent);
+        let motions = [self.camera.right, self.camera.down]
+            .map(|change| self.motion(shape, &ray, change, &hit, &frame));
+        (self.lit(&ray, &hit, &frame), motions)
+    }
+
+    /// Whether the ray through (x, y) meets the surface.
+    pub(crate) fn covers(&self, x: R, y: R) -> bool {
+        on_shape!(&self.surface, shape => shape.hit(&self.camera.ray(x, y)).is_some())
+    }
+
+    #[inline]
+    fn lit(&self, ray: &Ray<R>, hit: &Hit<R>, frame: &Frame<R>) -> Sample<R> {
+        let arrival = self.light.at(hit.point);
+        let away = scaled(-R::ONE / dot(ray.direction, ray.direction).sqrt(), ray.direction);
+        let (wo, wi) = (frame.to_local(away), frame.to_local(arrival.wi));
+        Sample { wo, wi, half: half_vector(wo, wi), strength: arrival.strength, hit: true }
+    }
+
+    /// What changes where the ray's direction does.
+    ///
+    /// Out of line: inlined twice, the two are packed into lanes through memory, at up to ten times the cost.
+    #[inline(never)]
+    fn motion(
+        &self,
+        shape: &impl Shape<R>,
+        ray: &Ray<R>,
+        change: [R; 3],
+        hit: &Hit<R>,
+        frame: &Frame<R>,
+    ) -> Motion<R> {
+        let length_squared = dot(ray.direction, ray.direction);
+        // The hit stays on the tangent plane (Igehy 1999).
+        let distance = dot(sub(hit.point, ray.eye), ray.direction) / length_squared;
+        let longer = -distance * dot(change, hit.geometric) / dot(ray.direction, hit.geometric);
+        let step = along(scaled(distance, change), longer, ray.direction);
+
+        let length = length_squared.sqrt();
+        let forward = scaled(R::ONE / length, ray.direction);
+        let eye_turn = scaled(-R::ONE / length, tangential(change, forward));
+        let light_turn = self.light.at(hit.point).turn(step);
+        let turn = shape.turn(hit, step);
+        let [first, second, _] = frame.to_local(turn.normal);
+        Motion {
+            half: frame.to_local(add(eye_turn, light_turn)),
+            normal: [first, second],
+            spin: frame.spin(&turn),
+        }
     }
 }
 
-/// A scene with its name, in both precisions.
-pub(crate) struct Subject {
-    /// Short, for tables.
-    pub(crate) name: String,
-    /// One sentence on what is seen.
-    pub(crate) caption: String,
-    pub(crate) size: Size,
-    /// What the methods render: f32, as an engine would.
-    pub(crate) engine: Scene<f32>,
-    /// The same, for the reference.
-    pub(crate) exact: Scene<f64>,
-}
-
-impl Subject {
-    /// Waves at grazing view.
-    pub(crate) fn water(size: Size) -> Self {
-        let view = water::VIEW;
-        let camera = Camera::spanning(size, view.top, view.bottom);
-        let (waves, caption) = Waves::seen_by(&camera, size);
-        Self::seen("water".into(), caption, size, &view, camera, Surface::Water(waves))
-    }
-
-    /// A plane with a normal map.
-    pub(crate) fn plane(size: Size, map: &NormalMap) -> Self {
-        let view = plane::VIEW;
-        let camera = Camera::spanning(size, view.top, view.bottom);
-        let (surface, caption) = MappedPlane::seen_by(&camera, size, map);
-        let name = format!("plane: {}", map.name);
-        Self::seen(name, caption, size, &view, camera, Surface::Plane(surface))
-    }
-
-    /// A surface under a view, in both precisions.
-    fn seen(
-        name: String,
-        caption: String,
-        size: Size,
-        view: &View,
-        camera: Camera<f64>,
-        surface: Surface<f64>,
-    ) -> Self {
-        let light = view.light();
-        let engine = Scene {
-            camera: camera.cast(),
-            light: light.map(|c| c as f32),
-            surface: surface.cast(),
-        };
-        Self { name, caption, size, engine, exact: Scene { camera, light, surface } }
-    }
-}
-
-/// Angles of a scene, in degrees over the plane.
-struct View {
-    /// Of the view at the picture's top and bottom edge.
-    top: f64,
-    bottom: f64,
-    /// Of the light, straight ahead of the camera.
-    light: f64,
-}
-
-impl View {
-    /// Unit direction to the light.
-    fn light(&self) -> [f64; 3] {
-        let (sin, cos) = self.light.to_radians().sin_cos();
-        [0.0, cos, sin]
-    }
-}
+#[cfg(test)]
+mod tests;

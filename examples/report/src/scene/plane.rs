@@ -2,10 +2,16 @@
 
 use std::sync::Arc;
 
-use super::View;
-use crate::camera::{Camera, Size};
+use lobe::slope::direction::normalize;
+
+use super::map::NormalMap;
+use super::subject::View;
+use super::surface::{Hit, Shape, plane_point, world_x, world_z};
+use crate::camera::{Camera, Ray, Size};
+use crate::frame::Turn;
 use crate::scalar::Scalar;
 use crate::texture::Texture;
+use crate::vector::Vector;
 
 /// The light's mirror image is at the picture's centre.
 pub(super) const VIEW: View = View { top: 25.0, bottom: 50.0, light: 37.5 };
@@ -13,29 +19,6 @@ pub(super) const VIEW: View = View { top: 25.0, bottom: 50.0, light: 37.5 };
 /// Texels per pixel where the view is most grazing, along the view: the densest of the picture. The
 /// perspective makes the least dense, across the view at the bottom, about 0.3.
 const DENSEST: f64 = 1.5;
-
-/// A decoded normal map with the name it goes by.
-pub(crate) struct NormalMap {
-    pub(crate) name: String,
-    pub(crate) texture: Arc<Texture>,
-}
-
-/// The maps the program carries: name and PNG. Origin and licence: assets/README.md.
-const CARRIED: [(&str, &[u8]); 4] = [
-    ("diamond-plate", include_bytes!("../../assets/diamond-plate.png")),
-    ("leather", include_bytes!("../../assets/leather.png")),
-    ("wood-fibre", include_bytes!("../../assets/wood-fibre.png")),
-    ("crumpled-paper", include_bytes!("../../assets/crumpled-paper.png")),
-];
-
-/// The carried maps, decoded.
-pub(crate) fn carried_maps() -> Result<Vec<NormalMap>, String> {
-    let decode = |(name, file): (&str, &[u8])| {
-        let texture = Texture::decode(file).map_err(|error| format!("carried {name}: {error}"))?;
-        Ok(NormalMap { name: name.into(), texture: Arc::new(texture) })
-    };
-    CARRIED.into_iter().map(decode).collect()
-}
 
 /// The plane and its map.
 pub(super) struct MappedPlane<R> {
@@ -54,7 +37,7 @@ impl MappedPlane<f64> {
         let [width, height] = map.texture.size();
         let caption = format!(
             "{} ({width} x {height}), bilinear and repeating, view {} to {} degrees above the plane, \
-             distant light at {} degrees ahead; {:.2} texels per pixel across the view at the bottom \
+             light {} degrees high ahead; {:.2} texels per pixel across the view at the bottom \
              to {DENSEST:.2} along it at the top.",
             map.name,
             VIEW.top,
@@ -72,23 +55,39 @@ impl MappedPlane<f64> {
 }
 
 impl<R: Scalar> MappedPlane<R> {
-    /// Unit normal. The map's +y is the plane's, and its rows count down.
+    /// Texel coordinates. The map's +y is the plane's, and its rows count down.
     #[inline]
-    pub(super) fn normal(&self, p: [R; 2]) -> [R; 3] {
-        let normal = self.texture.lookup(p[0] * self.density, -p[1] * self.density);
-        lobe::slope::direction::normalize(normal)
+    fn texel(&self, x: R, y: R) -> [R; 2] {
+        [x * self.density, -y * self.density]
+    }
+}
+
+impl<R: Scalar> Shape<R> for MappedPlane<R> {
+    #[inline]
+    fn hit(&self, ray: &Ray<R>) -> Option<Hit<R>> {
+        let point = plane_point(ray)?;
+        let [x, y] = self.texel(point[0], point[1]);
+        let normal = normalize(self.texture.lookup(x, y));
+        Some(Hit { point, geometric: world_z(), normal, tangent: world_x(), part: 0 })
+    }
+
+    #[inline]
+    fn turn(&self, hit: &Hit<R>, step: Vector<R>) -> Turn<R> {
+        let normal =
+            self.texture.turn(self.texel(hit.point[0], hit.point[1]), self.texel(step[0], step[1]));
+        Turn { normal, tangent: [R::ZERO; 3] }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{DENSEST, MappedPlane, VIEW, carried_maps};
+    use super::super::map::carried_maps;
+    use super::{DENSEST, MappedPlane, VIEW};
     use crate::camera::{Camera, Size};
 
     #[test]
-    fn every_carried_map_decodes_and_is_seen_at_the_stated_densities() {
-        let maps = carried_maps().unwrap();
-        assert_eq!(maps.len(), 4);
+    fn maps_are_seen_at_the_stated_densities() {
+        let maps = carried_maps(false).unwrap();
         for width in [32, 400] {
             let size = Size::of_width(width);
             let camera = Camera::spanning(size, VIEW.top, VIEW.bottom);

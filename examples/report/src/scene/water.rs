@@ -2,9 +2,12 @@
 
 use lobe::slope::direction::normal_of;
 
-use super::View;
-use crate::camera::{Camera, Size};
+use super::subject::View;
+use super::surface::{Hit, Shape, plane_point, slope_turn, world_x, world_z};
+use crate::camera::{Camera, Ray, Size};
+use crate::frame::Turn;
 use crate::scalar::Scalar;
+use crate::vector::Vector;
 
 /// Grazing, with the light's mirror image inside: its glitter path runs down the picture.
 pub(super) const VIEW: View = View { top: 14.0, bottom: 30.0, light: 20.0 };
@@ -49,7 +52,7 @@ impl Waves<f64> {
         let [_, bottom] = camera.steps(middle, size.height as f64 - 0.5);
         let shortest = FARTHEST_WAVE * top;
         let caption = format!(
-            "Seven sine waves on a plane, view {} to {} degrees above it, distant light at {} degrees \
+            "Seven sine waves on a plane, view {} to {} degrees above it, light {} degrees high \
              ahead; the shortest wave spans {FARTHEST_WAVE:.0} pixels along the view at the top and \
              {:.0} at the bottom.",
             VIEW.top,
@@ -94,10 +97,31 @@ impl<R: Scalar> Waves<R> {
         sum
     }
 
-    /// Unit normal.
+    /// Change of the slope along a step: the height's Hessian times it.
     #[inline]
-    pub(super) fn normal(&self, p: [R; 2]) -> [R; 3] {
-        normal_of(self.slope(p))
+    fn slope_change(&self, p: [R; 2], step: [R; 2]) -> [R; 2] {
+        let mut sum = [R::ZERO; 2];
+        for wave in &self.0 {
+            let sin = (wave.k[0] * p[0] + wave.k[1] * p[1] + wave.phase).sin();
+            let change = -sin * (wave.k[0] * step[0] + wave.k[1] * step[1]);
+            sum = [sum[0] + wave.slope[0] * change, sum[1] + wave.slope[1] * change];
+        }
+        sum
+    }
+}
+
+impl<R: Scalar> Shape<R> for Waves<R> {
+    #[inline]
+    fn hit(&self, ray: &Ray<R>) -> Option<Hit<R>> {
+        let point = plane_point(ray)?;
+        let normal = normal_of(self.slope([point[0], point[1]]));
+        Some(Hit { point, geometric: world_z(), normal, tangent: world_x(), part: 0 })
+    }
+
+    #[inline]
+    fn turn(&self, hit: &Hit<R>, step: Vector<R>) -> Turn<R> {
+        let change = self.slope_change([hit.point[0], hit.point[1]], [step[0], step[1]]);
+        Turn { normal: slope_turn(hit.normal, change), tangent: [R::ZERO; 3] }
     }
 }
 

@@ -1,0 +1,271 @@
+//! The converged pictures: jittered strata, f64, the unfiltered BRDF, under every window at once.
+//!
+//! Within a stratum the half vector's slope changes by a fraction of alpha, so errors fall like 1/n and
+//! not like 1/sqrt(n). A few glints hold most of the error: a pilot picture finds them, its differences
+//! decide how the samples are dealt out, and it is then thrown away, which keeps the result unbiased.
+//!
+//! Geometry is sampled once for all alphas and both distributions. A pixel's samples are summed in 16 x 16
+//! cells, and each cell goes to the 5 x 5 pixels around with its share of their windows: a window is
+//! constant over a sixteenth of a pixel. Windows that hang over a silhouette are the mean over what they
+//! cover of the surface.
+
+mod deal;
+mod splat;
+
+use lobe::{AxisAligned, Beckmann, Error, Ggx};
+use rayon::prelude::*;
+
+use crate::camera::Size;
+use crate::method::{Distribution, Finish};
+use crate::pattern::Jitter;
+use crate::scene::Scene;
+use crate::window::{CELLS, MARGIN, PerWindow, PixelWindow};
+use deal::deal;
+use splat::{Cell, Splatter, Sums};
+
+/// Most alphas that one reference is made for.
+pub(crate) const ALPHAS: usize = 3;
+
+/// Radiances of one sample: alphas, and for each the distributions in the order of [`Distribution::ALL`].
+const CHANNELS: usize = ALPHAS * Distribution::ALL.len();
+
+/// A reference picture under every window, with its own noise.
+pub(crate) struct Reference {
+    /// Radiance, rows from the top.
+    pub(crate) radiance: PerWindow<Vec<f64>>,
+    /// Root-mean-square difference of two independent halves over the judged pixels, over two: the
+    /// standard error of their mean.
+    pub(crate) noise: PerWindow<f64>,
+}
+
+/// The references of one lit scene from the same samples.
+pub(crate) struct References(Vec<Reference>);
+
+impl References {
+    /// Of the alpha of this index in the list that they were rendered for.
+    pub(crate) fn of(&self, alpha: usize, distribution: Distribution) -> &Reference {
+        &self.0[alpha * Distribution::ALL.len() + distribution as usize]
+    }
+}
+
+/// How the reference samples a picture.
+#[derive(Clone, Copy)]
+pub(crate) struct Sampling {
+    /// Samples per pixel on average, about.
+    pub(crate) samples: u32,
+}
+
+/// What is rendered: a lit scene, its material at several alphas, and the pixels that count.
+pub(crate) struct Target<'a> {
+    pub(crate) scene: &'a Scene<f64>,
+    pub(crate) size: Size,
+    pub(crate) finish: Finish,
+    /// At most [`ALPHAS`].
+    pub(crate) alphas: &'a [f64],
+    pub(crate) judged: &'a [bool],
+}
+
+/// Strata along each side of a pixel, one sample each, in each of two independent halves.
+mod strata {
+    pub(super) const PILOT: u32 = 8;
+    pub(super) const FEWEST: u32 = 12;
+    pub(super) const MOST: u32 = 192;
+}
+
+/// Rows rendered between two rounds of adding up.
+const WAVE: usize = 16;
+
+/// Two independent means of a pixel.
+type Halves = [[f64; CHANNELS]; 2];
+
+impl Sampling {
+    /// Renders the references; `row_done` is called once per row of the picture and of its margin.
+    pub(crate) fn render(
+        self,
+        target: &Target<'_>,
+        row_done: &(impl Fn() + Sync),
+    ) -> Result<References, Error> {
+        let camera = Sampler::new(target)?;
+        let whole = target.size.grown(MARGIN);
+        let pilot = camera.pilot(whole);
+        let strata = deal(self.samples, &pilot, &needed(target), whole);
+
+        let splatter = Splatter::new();
+        let mut collected = Collected::new(target);
+        // The rows that later ones may still add to, the first of them that of the picture's `next`.
+        let mut open: std::collections::VecDeque<Vec<Sums>> = std::collections::VecDeque::new();
+        let rows: Vec<usize> = (0..whole.height).collect();
+        for wave in rows.chunks(WAVE) {
+            let spread: Vec<_> = wave
+                .par_iter()
+                .map(|&y| {
+                    let row = camera.row(y, whole.width, &strata[y * whole.width..]);
+                    row_done();
+                    splatter.spread(&row, target.size.width)
+                })
+                .collect();
+            for (&y, spread) in wave.iter().zip(spread) {
+                open.resize_with(spread.len(), || vec![Sums::default(); target.size.width]);
+                for (sums, added) in open.iter_mut().zip(&spread) {
+                    sums.iter_mut().zip(added).for_each(|(sum, added)| sum.add(added));
+                }
+                // Row y of the whole reaches from y - 2 MARGIN to y of the picture; the first is complete.
+                if let Some(complete) = open.pop_front()
+                    && y >= 2 * MARGIN
+                {
+                    collected.push_row(&complete);
+                }
+            }
+        }
+        Ok(collected.finish())
+    }
+}
+
+/// Pixels of the picture and its margin that a judged pixel's windows reach.
+fn needed(target: &Target<'_>) -> Vec<bool> {
+    let (size, whole) = (target.size, target.size.grown(MARGIN));
+    let mut needed = vec![false; whole.pixels()];
+    for index in (0..size.pixels()).filter(|&index| target.judged[index]) {
+        let (x, y) = (index % size.width, index / size.width);
+        for row in y..=y + 2 * MARGIN {
+            needed[row * whole.width + x..][..=2 * MARGIN].fill(true);
+        }
+    }
+    needed
+}
+
+/// Takes samples of pixels.
+struct Sampler<'a> {
+    scene: &'a Scene<f64>,
+    shapes: Vec<AxisAligned<f64>>,
+    /// Corner of the first pixel of the margin.
+    corner: f64,
+}
+
+impl<'a> Sampler<'a> {
+    fn new(target: &Target<'a>) -> Result<Self, Error> {
+        let shapes = target.alphas.iter().take(ALPHAS).map(|&alpha| {
+            let [along, across] = target.finish.alphas(alpha);
+            AxisAligned::new(along, across)
+        });
+        let shapes = shapes.collect::<Result<_, _>>()?;
+        Ok(Self { scene: target.scene, shapes, corner: -(MARGIN as f64) })
+    }
+
+    /// A quick picture of means.
+    fn pilot(&self, whole: Size) -> Vec<Halves> {
+        let pixel = |index: usize| {
+            let mut halves = Halves::default();
+            for (half, means) in halves.iter_mut().enumerate() {
+                let jitter = Jitter::new(4 * index as u64 + half as u64);
+                let place = [index % whole.width, index / whole.width];
+                self.samples(place, strata::PILOT, jitter, |_, values| {
+                    means.iter_mut().zip(values).for_each(|(mean, value)| *mean += value);
+                });
+            }
+            halves
+        };
+        (0..whole.pixels()).into_par_iter().map(pixel).collect()
+    }
+
+    /// The cells of a row of pixels, one pixel after the other, each pixel's in rows.
+    fn row(&self, y: usize, width: usize, strata: &[u32]) -> Vec<Cell> {
+        let mut row = vec![Cell::default(); width * CELLS * CELLS];
+        for (x, cells) in row.chunks_exact_mut(CELLS * CELLS).enumerate() {
+            let index = y * width + x;
+            for half in 0..2 {
+                let jitter = Jitter::new(4 * index as u64 + 2 + half as u64);
+                let area = 1.0 / f64::from(strata[x] * strata[x]);
+                self.samples([x, y], strata[x], jitter, |offset, values| {
+                    // Offsets lie in the unit square: the cast rounds down.
+                    #[allow(clippy::cast_sign_loss)]
+                    let [column, row] = offset.map(|t| (t * CELLS as f64) as usize);
+                    let index = row.min(CELLS - 1) * CELLS + column.min(CELLS - 1);
+                    cells[index].add(half, area, values);
+                });
+            }
+        }
+        row
+    }
+
+    /// Calls `take` for every hit of a pixel with its place in the pixel and its radiances over the number of
+    /// samples.
+    fn samples(
+        &self,
+        place: [usize; 2],
+        strata: u32,
+        mut jitter: Jitter,
+        mut take: impl FnMut([f64; 2], [f64; CHANNELS]),
+    ) {
+        let step = 1.0 / f64::from(strata);
+        let corner = place.map(|k| k as f64 + self.corner);
+        for row in 0..strata {
+            for column in 0..strata {
+                let [u, v] = jitter.next();
+                let offset = [(f64::from(column) + u) * step, (f64::from(row) + v) * step];
+                let s = self.scene.sample(corner[0] + offset[0], corner[1] + offset[1]);
+                if !s.hit {
+                    continue;
+                }
+                let factor = s.wi[2] * s.strength * step * step;
+                let mut values = [0.0; CHANNELS];
+                for (values, shape) in values.chunks_exact_mut(2).zip(&self.shapes) {
+                    values[0] = Ggx::new(*shape).brdf(s.wo, s.wi) * factor;
+                    values[1] = Beckmann::new(*shape).brdf(s.wo, s.wi) * factor;
+                }
+                take(offset, values);
+            }
+        }
+    }
+}
+
+/// Finished rows on their way to pictures.
+struct Collected<'a> {
+    judged: &'a [bool],
+    pictures: Vec<PerWindow<Vec<f64>>>,
+    /// Squared differences of the halves, and the number of pixels in them.
+    squares: Vec<PerWindow<f64>>,
+    count: f64,
+    pixels: usize,
+}
+
+impl<'a> Collected<'a> {
+    fn new(target: &Target<'a>) -> Self {
+        let channels = target.alphas.len().min(ALPHAS) * Distribution::ALL.len();
+        Self {
+            judged: target.judged,
+            pictures: vec![Default::default(); channels],
+            squares: vec![Default::default(); channels],
+            count: 0.0,
+            pixels: 0,
+        }
+    }
+
+    fn push_row(&mut self, row: &[Sums]) {
+        for sums in row {
+            let judged = self.judged[self.pixels];
+            self.pixels += 1;
+            self.count += f64::from(u8::from(judged));
+            for (channel, pictures) in self.pictures.iter_mut().enumerate() {
+                for window in PixelWindow::ALL {
+                    let [a, b] = sums.means(window, channel);
+                    pictures[window as usize].push(0.5 * (a + b));
+                    if judged {
+                        self.squares[channel][window as usize] += (a - b) * (a - b);
+                    }
+                }
+            }
+        }
+    }
+
+    fn finish(self) -> References {
+        let count = self.count.max(1.0);
+        let references = self.pictures.into_iter().zip(self.squares).map(|(radiance, squares)| {
+            Reference { radiance, noise: squares.map(|sum| 0.5 * (sum / count).sqrt()) }
+        });
+        References(references.collect())
+    }
+}
+
+#[cfg(test)]
+mod tests;

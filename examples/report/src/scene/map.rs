@@ -1,0 +1,41 @@
+//! Normal maps with names: the four that the program carries, and a user's.
+
+use std::sync::Arc;
+
+use crate::texture::Texture;
+
+/// A decoded normal map with the name it goes by.
+pub(crate) struct NormalMap {
+    pub(crate) name: String,
+    pub(crate) texture: Arc<Texture>,
+}
+
+/// The maps the program carries: name and PNG. Origin and licence: assets/README.md. The first is the one
+/// of quick runs.
+const CARRIED: [(&str, &[u8]); 4] = [
+    ("leather", include_bytes!("../../assets/leather.png")),
+    ("diamond-plate", include_bytes!("../../assets/diamond-plate.png")),
+    ("wood-fibre", include_bytes!("../../assets/wood-fibre.png")),
+    ("crumpled-paper", include_bytes!("../../assets/crumpled-paper.png")),
+];
+
+/// The carried maps, decoded; the first one only, or all.
+pub(crate) fn carried_maps(all: bool) -> Result<Vec<NormalMap>, String> {
+    let decode = |&(name, file): &(&str, &[u8])| {
+        let texture = Texture::decode(file).map_err(|error| format!("carried {name}: {error}"))?;
+        Ok(NormalMap { name: name.into(), texture: Arc::new(texture) })
+    };
+    let count = if all { CARRIED.len() } else { 1 };
+    CARRIED[..count].iter().map(decode).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::carried_maps;
+
+    #[test]
+    fn every_carried_map_decodes() {
+        assert_eq!(carried_maps(true).unwrap().len(), 4);
+        assert_eq!(carried_maps(false).unwrap().len(), 1);
+    }
+}
