@@ -7,6 +7,7 @@
 mod camera;
 mod frame;
 mod frontier;
+mod kernels;
 mod method;
 mod metric;
 mod options;
