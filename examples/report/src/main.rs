@@ -30,6 +30,7 @@ use std::sync::Arc;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use camera::Size;
+use kernels::Kernels;
 use options::{Mistake, Options, Scenes};
 use output::Output;
 use page::Report;
@@ -59,7 +60,8 @@ fn run(options: &Options) -> Result<(), Mistake> {
     if let Ok(style) = ProgressStyle::with_template("{msg:24} {wide_bar} {percent:>3} %  {eta}") {
         bar.set_style(style);
     }
-    let mut report = Report::new(options, effort);
+    let kernels = Kernels::measured().map_err(|error| Mistake(format!("kernels: {error}")))?;
+    let mut report = Report::new(options, effort, kernels);
     for subject in subjects {
         bar.set_message(subject.name.clone());
         let study = Study::run(subject, options.alpha, &methods, effort, &|steps| bar.inc(steps))
@@ -68,6 +70,7 @@ fn run(options: &Options) -> Result<(), Mistake> {
         report.studies.push(study);
     }
     bar.finish_and_clear();
+    print(&report.kernels_text());
     if let Some(cover) = report.cover() {
         output.write(output::COVER, &cover)?;
     }

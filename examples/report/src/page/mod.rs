@@ -1,10 +1,16 @@
 //! The report: one self-contained HTML page, and the same tables as text.
 
+mod axis;
+mod chart;
+mod kernels;
+mod measure;
 mod picture;
 mod plot;
+mod proxy;
 mod section;
 mod table;
 
+use crate::kernels::Kernels;
 use crate::method::{Distribution, Method};
 use crate::options::Options;
 use crate::study::{Effort, Panel, Row, Study};
@@ -19,12 +25,19 @@ pub(crate) struct Report {
     alpha: f64,
     effort: Effort,
     processor: String,
+    pub(crate) kernels: Kernels,
     pub(crate) studies: Vec<Study>,
 }
 
 impl Report {
-    pub(crate) fn new(options: &Options, effort: Effort) -> Self {
-        Self { alpha: options.alpha, effort, processor: timing::processor(), studies: Vec::new() }
+    pub(crate) fn new(options: &Options, effort: Effort, kernels: Kernels) -> Self {
+        let processor = timing::processor();
+        Self { alpha: options.alpha, effort, processor, kernels, studies: Vec::new() }
+    }
+
+    /// The filters without a renderer, as text.
+    pub(crate) fn kernels_text(&self) -> String {
+        kernels::text(&self.kernels)
     }
 
     /// One line per scene and distribution: the best filter, its cost and what it saves.
@@ -66,11 +79,12 @@ impl Report {
              <p class=\"lead\">Specular filters at one sample per pixel against plain supersampling, \
              alpha = {}. The large number is how much longer supersampling takes to reach the best \
              filter\u{2019}s error.</p>\n\
-             {}{}{}</body>\n</html>\n",
+             {}{}{}{}</body>\n</html>\n",
             include_str!("style.css"),
             self.alpha,
             self.summary(),
             sections.concat(),
+            kernels::html(&self.kernels),
             self.explanation(methods),
         )
     }
