@@ -8,8 +8,8 @@ use super::escape;
 const WIDTH: f64 = 560.0;
 const HEIGHT: f64 = 372.0;
 /// Margins of the plotting area; the names stand in the right one.
-const LEFT: f64 = 60.0;
-const RIGHT: f64 = 178.0;
+const LEFT: f64 = 78.0;
+const RIGHT: f64 = 186.0;
 const TOP: f64 = 14.0;
 const BOTTOM: f64 = 48.0;
 /// Distance of the names' baselines.
@@ -52,6 +52,13 @@ struct Group<'a> {
     path: Vec<[f64; 2]>,
 }
 
+impl Group<'_> {
+    /// The CSS class of the line and of all its names.
+    fn class(&self) -> &str {
+        self.lines.first().map_or("", |line| &line.class)
+    }
+}
+
 impl Chart {
     /// As an SVG element.
     pub(super) fn svg(&self) -> String {
@@ -67,7 +74,7 @@ impl Chart {
         self.grid(&mut svg, &x, &y).ok();
         let groups = self.groups(&x, &y);
         for group in &groups {
-            let (class, path) = (&group.lines[0].class, cut(&group.path));
+            let (class, path) = (group.class(), cut(&group.path));
             writeln!(svg, "<path class=\"curve {class}\" d=\"{path}\"/>").ok();
         }
         names(&mut svg, &groups).ok();
@@ -138,7 +145,11 @@ impl Chart {
 fn label(tick: f64, range: &Range) -> String {
     let number = match range.scale {
         Scale::Logarithmic => plain(tick),
-        Scale::Linear => format!("{tick}").replace('-', "\u{2212}"),
+        // Ticks are multiples of a rounded step: six decimals are right, and mostly zeros.
+        Scale::Linear => {
+            let digits = format!("{tick:.6}").replace('-', "\u{2212}");
+            digits.trim_end_matches('0').trim_end_matches('.').into()
+        }
     };
     number + range.unit
 }
@@ -173,7 +184,7 @@ fn cut(points: &[[f64; 2]]) -> String {
     path
 }
 
-/// Names at the right ends, in the lines' order of height, joined to them.
+/// Names at the right ends, in the lines' order of height, joined to them; each with a piece of its line.
 fn names(svg: &mut String, groups: &[Group<'_>]) -> std::fmt::Result {
     let (top, bottom) = (TOP, HEIGHT - BOTTOM);
     let mut names = Vec::new();
@@ -184,22 +195,17 @@ fn names(svg: &mut String, groups: &[Group<'_>]) -> std::fmt::Result {
             y if y > bottom + 1.0 => " \u{2193}",
             _ => "",
         };
-        for line in &group.lines {
-            let name = format!("{}{arrow}", escape(&line.name));
-            names.push((y, [x, y.clamp(top, bottom)], &line.class, name));
-        }
+        let named = group.lines.iter().map(|line| format!("{}{arrow}", escape(&line.name)));
+        names.extend(named.map(|name| (y, [x, y.clamp(top, bottom)], group.class(), name)));
     }
     names.sort_by(|a, b| a.0.total_cmp(&b.0));
     let heights: Vec<_> = names.iter().map(|(_, end, ..)| end[1]).collect();
     let baselines = spread(&heights, LEADING, [top, bottom]);
     for ((_, [x, y], class, name), at) in names.iter().zip(baselines) {
-        let (text, base) = (x + 22.0, at + 4.0);
-        writeln!(
-            svg,
-            "<path class=\"leader\" d=\"M{:.1} {y:.1}L{:.1} {at:.1}\"/>",
-            x + 2.0,
-            x + 18.0
-        )?;
+        let (from, to, end) = (x + 2.0, x + 16.0, x + 36.0);
+        writeln!(svg, "<path class=\"leader\" d=\"M{from:.1} {y:.1}L{to:.1} {at:.1}\"/>")?;
+        writeln!(svg, "<path class=\"curve {class}\" d=\"M{to:.1} {at:.1}H{end:.1}\"/>")?;
+        let (text, base) = (x + 41.0, at + 4.0);
         writeln!(svg, "<text class=\"{class}\" x=\"{text:.1}\" y=\"{base:.1}\">{name}</text>")?;
     }
     Ok(())
@@ -207,7 +213,7 @@ fn names(svg: &mut String, groups: &[Group<'_>]) -> std::fmt::Result {
 
 #[cfg(test)]
 mod tests {
-    use super::{Chart, Line, Range, cut};
+    use super::{Chart, Line, Range, cut, label};
     use crate::page::axis::Scale;
 
     fn chart(lines: &[(&str, f64)]) -> Chart {
@@ -229,7 +235,8 @@ mod tests {
     #[test]
     fn lines_that_look_the_same_are_one_with_all_their_names() {
         let svg = chart(&[("one", 1.0), ("two", 1.001), ("three", 3.0)]).svg();
-        assert_eq!(svg.matches("class=\"curve").count(), 2);
+        // Two lines and a piece beside each of three names.
+        assert_eq!(svg.matches("class=\"curve").count(), 2 + 3);
         assert!(["one", "two", "three"].iter().all(|name| svg.contains(name)));
         assert!(svg.contains("a &lt; b"));
     }
@@ -239,6 +246,13 @@ mod tests {
         let chart = chart(&[("seen", 1.0), ("zero", 0.0), ("high", 1e9)]);
         assert_eq!(chart.outside(), ["zero", "high"]);
         assert!(!chart.svg().contains("high") && !chart.svg().contains("NaN"));
+    }
+
+    #[test]
+    fn ticks_are_plain_numbers() {
+        let range = Range { title: "t", scale: Scale::Linear, ends: [-1.0, 1.0], unit: " %" };
+        let labels = [3.0 * 0.2, 0.0, 40.0, -20.0].map(|tick| label(tick, &range));
+        assert_eq!(labels, ["0.6 %", "0 %", "40 %", "\u{2212}20 %"]);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::axis::Scale;
 use super::chart::{Chart, Line as Curved, Range};
-use super::measure::{L1, MEASURES, Measure};
+use super::measure::{L1, MEASURES, Measure, PEAK};
 use super::table::{Line, Table, significant};
 use super::{escape, proxy};
 use crate::kernels::{Curve, FAR, Family, Kernels, Truth};
@@ -83,30 +83,23 @@ fn legend(kernels: &Kernels) -> Table {
     Table { headers: &["Filter", "What it gives", "Source"], rows: rows.collect() }
 }
 
-/// The filter that gives a GGX again whose worst value is least.
-fn best<'a>(kernels: &'a Kernels, truth: Truth, measure: &Measure) -> Option<(&'a str, f64)> {
-    let closed = of(kernels, truth).filter(|curve| curve.filter.is_closed());
-    let worst = closed.map(|curve| (curve.filter.name, worst_of(curve, measure)));
-    worst.min_by(|a, b| (measure.distance)(a.1).total_cmp(&(measure.distance)(b.1)))
-}
-
 /// Which filters are least wrong, and how much the pixel's own shape matters.
 fn finding(kernels: &Kernels) -> String {
-    let least = Truth::ALL.map(|truth| best(kernels, truth, &L1).unwrap_or(("none", f64::NAN)));
-    let [(square, of_square), (gaussian, of_gaussian)] = least;
+    let l1 = |curve: &Curve| worst_of(curve, &L1);
+    let least = |truth: Truth| {
+        let closed = of(kernels, truth).filter(|curve| curve.filter.is_closed());
+        let best = closed.min_by(|a, b| l1(a).total_cmp(&l1(b)))?;
+        let (error, peak) = (significant(l1(best)), (PEAK.show)(worst_of(best, &PEAK)));
+        let (name, pixel) = (best.filter.name, truth.name());
+        Some(format!("{error} under the {pixel} ({name}; its peak wrong by up to {peak})"))
+    };
     // Of the two exact filters one is the truth; what is left is the exchange.
     let exact = kernels.curves.iter().filter(|curve| curve.filter.family == Family::Exact);
-    let exchange = exact.map(|curve| worst_of(curve, &L1)).fold(0.0, f64::max);
-    let verdict = match exchange {
-        x if x > of_square.max(of_gaussian) => "more than either",
-        x if x < of_square.min(of_gaussian) => "less than either",
-        _ => "between the two",
-    };
+    let exchange = exact.map(l1).fold(0.0, f64::max);
     format!(
-        "Of the filters that give a GGX again, the least L1 error at its worst \u{3ba} has {square} under the box \
-         ({}) and {gaussian} under the Gaussian ({}); taking one pixel for the other costs {}, {verdict}.",
-        significant(of_square),
-        significant(of_gaussian),
+        "Of the filters that give a GGX again, the least L1 error at the worst \u{3ba} is {}; taking one \
+         pixel for the other, all else exact, costs {}.",
+        Truth::ALL.into_iter().filter_map(least).collect::<Vec<_>>().join(" and "),
         significant(exchange)
     )
 }
@@ -124,7 +117,7 @@ fn tails(kernels: &Kernels) -> String {
         .fold((f64::INFINITY, 0.0_f64), |(least, most), ratio| (least.min(ratio), most.max(ratio)));
     let kappa = last.map(|point| point.kappa).fold(0.0, f64::max);
     format!(
-        "At {FAR} alphas, far beyond the pixel, every widened GGX is too bright by alpha'^2/alpha^2, the truths\u{2019} \
+        "At {FAR} alphas, far beyond the pixel, every widened GGX is too bright by (\u{3b1}\u{2032}/\u{3b1})\u{b2}, the truths\u{2019} \
          tails being those of the lobe itself: {} to {} times at \u{3ba} = {}.",
         significant(least),
         significant(most),
@@ -145,7 +138,10 @@ fn figure(kernels: &Kernels, measure: &Measure, truth: Truth) -> String {
     });
     let pixel = truth.name();
     drawn(
-        &format!("{pixel} pixel"),
+        match truth {
+            Truth::Box => "Box pixel",
+            Truth::Gaussian => "Gaussian pixel",
+        },
         &Chart {
             title: format!("{} over kappa, {pixel} pixel", measure.title),
             x: Range {

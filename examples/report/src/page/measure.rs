@@ -68,7 +68,7 @@ pub(super) const LARGEST: Measure = Measure {
     axis: Range {
         title: "largest |filter / truth \u{2212} 1|",
         scale: Scale::Logarithmic,
-        ends: [0.1, 1e5],
+        ends: [0.1, 3e4],
         unit: " %",
     },
     factor: 100.0,
@@ -77,7 +77,7 @@ pub(super) const LARGEST: Measure = Measure {
 
 pub(super) const TAIL: Measure = Measure {
     title: "Tail ratio",
-    note: "Filter over truth at {reach} alphas from the centre.",
+    note: "Filter over truth at {reach} alphas from the centre; for the largest pixels that is still near their edge.",
     value: |m| m.tail_ratio,
     distance: |ratio| ratio.ln().abs(),
     show: |ratio| format!("{}\u{d7}", significant(ratio)),
@@ -94,15 +94,22 @@ pub(super) const TAIL: Measure = Measure {
 /// In the order of the page.
 pub(super) const MEASURES: [Measure; 4] = [PEAK, L1, LARGEST, TAIL];
 
+/// Of what is not negative; what f64 and its quadrature cannot tell from 0 is so much less than shown.
 fn percent(x: f64) -> String {
-    format!("{} %", significant(100.0 * x))
+    match x {
+        x if x > 0.0 && x < ROUNDING => format!("<{} %", significant(100.0 * ROUNDING)),
+        x => format!("{} %", significant(100.0 * x)),
+    }
 }
+
+/// The relative error of the truths, at most.
+const ROUNDING: f64 = 1e-11;
 
 /// With a sign, and a true minus.
 pub(super) fn signed_percent(x: f64) -> String {
     let sign = match x {
-        x if x > 0.0 => "+",
-        x if x < 0.0 => "\u{2212}",
+        x if x >= ROUNDING => "+",
+        x if x <= -ROUNDING => "\u{2212}",
         _ => "",
     };
     format!("{sign}{}", percent(x.abs()))
@@ -117,6 +124,7 @@ mod tests {
         assert_eq!(signed_percent(0.24), "+24.0 %");
         assert_eq!(signed_percent(-0.031), "\u{2212}3.10 %");
         assert_eq!(signed_percent(0.0), "0 %");
+        assert_eq!(signed_percent(-1e-14), "<1.0e-9 %");
     }
 
     #[test]

@@ -81,7 +81,8 @@ pub(super) fn finding(proxies: &[Proxy]) -> String {
     let ((last_form, width), (over_pi, _)) = (worst(1), worst(2));
     format!(
         "The paper calls the last form of Eq. 20 \u{201c}indistinguishable from the first approximation\u{201d}: its \
-         peak is wrong by {} where w is {} alpha and by {} where it is {}; alpha^2 + w^2/pi by at most {}.",
+         peak is wrong by {} where w is {} \u{3b1} and by {} where it is {} \u{3b1}; \
+         \u{3b1}\u{b2} + w\u{b2}/\u{3c0} by at most {}.",
         signed_percent(at_one.map_or(f64::NAN, |proxy| error(proxy, 1))),
         significant(at_one.map_or(f64::NAN, |proxy| proxy.width)),
         signed_percent(last_form),
