@@ -55,6 +55,12 @@ impl Density {
         }
     }
 
+    /// Whether it falls to 0 far from the lobe. Appendix A does not in f32: its terms cancel to a rounding error
+    /// that does not depend on distance, and whose integral over the plane has no limit.
+    pub(super) fn decays(&self) -> bool {
+        !matches!(self, Self::AppendixA(_))
+    }
+
     fn is_radial(&self) -> bool {
         matches!(self, Self::Widened(_) | Self::Gaussian(..))
     }

@@ -134,6 +134,7 @@ fn figure(kernels: &Kernels, measure: &Measure, truth: Truth) -> String {
             .points
             .iter()
             .map(|point| [point.kappa, measure.factor * (measure.value)(point)])
+            .filter(|[_, value]| value.is_finite())
             .collect(),
     });
     let pixel = truth.name();

@@ -9,6 +9,7 @@ use crate::kernels::{Measures, REACH};
 pub(super) struct Measure {
     pub(super) title: &'static str,
     note: &'static str,
+    /// NaN where there is none.
     pub(super) value: fn(&Measures) -> f64,
     /// How far a value is from right.
     pub(super) distance: fn(f64) -> f64,
@@ -45,8 +46,9 @@ pub(super) const PEAK: Measure = Measure {
 
 pub(super) const L1: Measure = Measure {
     title: "L1 error",
-    note: "Integral of |filter \u{2212} truth| over the slope plane, tails included; at most 2.",
-    value: |m| m.l1_error,
+    note: "Integral of |filter \u{2212} truth| over the slope plane, tails included; at most 2. Appendix A in f32 has none: \
+           its rounding error does not fall with distance.",
+    value: |m| m.l1_error.unwrap_or(f64::NAN),
     distance: f64::abs,
     show: significant,
     axis: Range {
