@@ -163,7 +163,7 @@ pub(super) fn drawn(heading: &str, chart: &Chart) -> String {
     let outside = match chart.outside() {
         names if names.is_empty() => String::new(),
         names => {
-            format!("<figcaption>Outside the frame: {}.</figcaption>", escape(&names.join(", ")))
+            format!("<figcaption>Outside the frame: {}.</figcaption>", escape(&names.join("; ")))
         }
     };
     format!("<figure><h4>{heading}</h4>\n{}{outside}</figure>\n", chart.svg())
