@@ -2,13 +2,14 @@
 //!
 //! `cargo run --release -p lobe-report -- --help`. The way of the data: a `scene` gives samples, a
 //! `method` shades them, `reference` is what they should have given, `metric` and `timing` put numbers
-//! on both, `study` collects a scene's, `page` shows them.
+//! on both, `study` collects a scene's, `page` shows them. `kernels` judges filters of GGX without any scene.
 
 mod camera;
 mod coverage;
 mod footprints;
 mod frame;
 mod frontier;
+mod kernels;
 mod light;
 mod method;
 mod metric;
@@ -34,6 +35,7 @@ use std::sync::Arc;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use camera::Size;
+use kernels::Kernels;
 use options::{Mistake, Options, Scenes};
 use output::Output;
 use page::Report;
@@ -63,7 +65,8 @@ fn run(options: &Options) -> Result<(), Mistake> {
     if let Ok(style) = ProgressStyle::with_template("{msg:24} {wide_bar} {percent:>3} %  {eta}") {
         bar.set_style(style);
     }
-    let mut report = Report::new(effort.clone());
+    let kernels = Kernels::measured().map_err(|error| Mistake(format!("kernels: {error}")))?;
+    let mut report = Report::new(effort.clone(), kernels);
     for subject in subjects {
         bar.set_message(subject.name.clone());
         let study = Study::run(subject, &methods, &effort, &|steps| bar.inc(steps))
@@ -72,6 +75,7 @@ fn run(options: &Options) -> Result<(), Mistake> {
         report.studies.push(study);
     }
     bar.finish_and_clear();
+    print(&report.kernels_text());
     if let Some(cover) = report.cover() {
         output.write(output::COVER, &cover)?;
     }

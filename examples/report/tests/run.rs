@@ -44,7 +44,8 @@ fn assert_self_contained(page: &str) {
 fn water_gives_one_self_contained_page_with_finite_numbers() {
     let (text, page) = run("water", &["--scene", "water"]);
     assert_self_contained(&page);
-    assert_eq!(page.matches("<svg").count(), 2);
+    // One for each distribution; four measures under two pixels and two figures of Eq. 20.
+    assert_eq!(page.matches("<svg").count(), 2 + 4 * 2 + 2);
     assert_eq!(page.matches("<img").count(), 4);
     // Two alphas; supersampling and rectangles for both distributions, parallelograms for GGX with two kinds
     // of footprints.
@@ -55,6 +56,20 @@ fn water_gives_one_self_contained_page_with_finite_numbers() {
     }
     for wrong in ["NaN", "inf ", "-0."] {
         assert!(!text.contains(wrong), "{wrong} in\n{text}");
+    }
+}
+
+#[test]
+fn filters_without_a_renderer_stand_in_text_and_page() {
+    let (text, page) = run("kernels", &["--scene", "water"]);
+    let line = |name: &str| text.lines().find(|line| line.starts_with(name)).unwrap();
+    // Eq. 20's last form is 1/pi of the peak of a large box, all but the mass beyond it.
+    assert!(line("Eq. 20, last form").contains("\u{2212}68"), "{text}");
+    // Nothing is wrong with an exact Gaussian under a Gaussian.
+    let exact: Vec<_> = line("exact Gaussian, f64").split_whitespace().collect();
+    assert!(exact.ends_with(&["0", "%", "0", "0", "%", "1.00\u{d7}"]), "{exact:?}");
+    for name in ["Eq. 20, re-derived", "Gaussian peak, fitted", "Appendix A rectangle, f32"] {
+        assert!(page.contains(name) && !line(name).is_empty(), "{name}");
     }
 }
 

@@ -1,10 +1,16 @@
 //! The report: one self-contained HTML page, and the same tables as text.
 
+mod axis;
+mod chart;
+mod kernels;
+mod measure;
 mod picture;
 mod plot;
+mod proxy;
 mod section;
 mod table;
 
+use crate::kernels::Kernels;
 use crate::method::{Distribution, Method};
 use crate::study::{Effort, Panel, Row, Study};
 use crate::timing;
@@ -17,12 +23,18 @@ pub(crate) use section::text;
 pub(crate) struct Report {
     effort: Effort,
     processor: String,
+    pub(crate) kernels: Kernels,
     pub(crate) studies: Vec<Study>,
 }
 
 impl Report {
-    pub(crate) fn new(effort: Effort) -> Self {
-        Self { effort, processor: timing::processor(), studies: Vec::new() }
+    pub(crate) fn new(effort: Effort, kernels: Kernels) -> Self {
+        Self { effort, processor: timing::processor(), kernels, studies: Vec::new() }
+    }
+
+    /// The filters without a renderer, as text.
+    pub(crate) fn kernels_text(&self) -> String {
+        kernels::text(&self.kernels)
     }
 
     /// One line per scene and distribution: the best filter, its cost and what it saves.
@@ -64,11 +76,12 @@ impl Report {
              <p class=\"lead\">Specular filters at one sample per pixel against plain supersampling, \
              plots at alpha = {}. The large number is how much longer supersampling takes to reach the best \
              filter\u{2019}s error.</p>\n\
-             {}{}{}</body>\n</html>\n",
+             {}{}{}{}</body>\n</html>\n",
             include_str!("style.css"),
             self.effort.alphas.first().copied().unwrap_or_default(),
             self.summary(),
             sections.concat(),
+            kernels::html(&self.kernels),
             self.explanation(methods),
         )
     }

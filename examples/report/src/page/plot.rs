@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
+use super::axis::{Axis, Scale, plain, spread};
 use super::escape;
-use super::table::significant;
 use crate::frontier::{Point, Price};
 use crate::study::{Panel, Row};
 
@@ -23,38 +23,6 @@ const LEADING: f64 = 17.0;
 struct Axes {
     time: Axis,
     error: Axis,
-}
-
-/// A logarithmic axis: `at = origin + slope * ln(value)`.
-struct Axis {
-    low: f64,
-    high: f64,
-    origin: f64,
-    slope: f64,
-}
-
-impl Axis {
-    /// The axis with `a` at position `from` and `b` at position `to`, drawn between two positions.
-    fn through(a: f64, from: f64, b: f64, to: f64, drawn: [f64; 2]) -> Self {
-        let slope = (to - from) / (b / a).ln();
-        let origin = from - slope * a.ln();
-        let value = |at: f64| ((at - origin) / slope).exp();
-        Self { low: value(drawn[0]), high: value(drawn[1]), origin, slope }
-    }
-
-    fn at(&self, value: f64) -> f64 {
-        self.origin + self.slope * value.ln()
-    }
-
-    /// 1, 2, 5 times powers of ten within the axis; on long ones powers of ten only.
-    fn ticks(&self) -> Vec<f64> {
-        let decades = (self.high / self.low).log10();
-        let steps: &[f64] = if decades > 2.2 { &[1.0] } else { &[1.0, 2.0, 5.0] };
-        let first = self.low.log10().floor() as i32;
-        let last = self.high.log10().ceil() as i32;
-        let all = (first..=last).flat_map(|p| steps.iter().map(move |s| s * 10.0_f64.powi(p)));
-        all.filter(|tick| (self.low..=self.high).contains(tick)).collect()
-    }
 }
 
 /// The plot of a panel as an SVG element.
@@ -92,9 +60,10 @@ fn axes(points: &[Point]) -> Option<Axes> {
     let (fast, slow) = range(|p| p.cost)?;
     let (small, large) = range(|p| p.error)?;
     let (left, right, top, bottom) = (LEFT, WIDTH - RIGHT, TOP, HEIGHT - BOTTOM);
+    let log = Scale::Logarithmic;
     Some(Axes {
-        time: Axis::through(fast, left + NAMES, slow, right - 16.0, [left, right]),
-        error: Axis::through(small, bottom - 18.0, large, top + 22.0, [bottom, top]),
+        time: Axis::through(log, [fast, slow], [left + NAMES, right - 16.0], [left, right]),
+        error: Axis::through(log, [small, large], [bottom - 18.0, top + 22.0], [bottom, top]),
     })
 }
 
@@ -186,39 +155,6 @@ fn filters(svg: &mut String, axes: &Axes, panel: &Panel) -> std::fmt::Result {
     Ok(())
 }
 
-/// Heights (increasing), moved apart to a distance, as little as it takes, within bounds.
-fn spread(heights: &[f64], distance: f64, bounds: [f64; 2]) -> Vec<f64> {
-    // Clusters of touching labels, each centred on the mean of what it labels; merge until apart.
-    let mut clusters: Vec<(f64, usize)> = Vec::new();
-    for &height in heights {
-        clusters.push((height, 1));
-        while let [.., (a, m), (b, n)] = clusters[..] {
-            if b - a >= 0.5 * distance * (m + n) as f64 {
-                break;
-            }
-            clusters.truncate(clusters.len() - 2);
-            let middle = (a * m as f64 + b * n as f64) / (m + n) as f64;
-            clusters.push((middle, m + n));
-        }
-    }
-    let spread = clusters.into_iter().flat_map(|(middle, count)| {
-        let half = 0.5 * distance * (count - 1) as f64;
-        let low = (middle - half).min(bounds[1] - 2.0 * half).max(bounds[0]);
-        (0..count).map(move |k| low + distance * k as f64)
-    });
-    spread.collect()
-}
-
-/// A power of ten, or 2 or 5 times one, without trailing zeros.
-fn plain(tick: f64) -> String {
-    if (1e-4..1e6).contains(&tick) {
-        let decimals = (-tick.log10().floor() as i32).max(0).unsigned_abs() as usize;
-        format!("{tick:.decimals$}")
-    } else {
-        significant(tick)
-    }
-}
-
 /// Nanoseconds in the unit that reads best.
 fn duration(nanoseconds: f64) -> String {
     let units = [(1e9, "s"), (1e6, "ms"), (1e3, "\u{b5}s"), (1.0, "ns")];
@@ -229,23 +165,7 @@ fn duration(nanoseconds: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, duration, spread};
-
-    #[test]
-    fn axes_pass_through_their_points() {
-        let axis = Axis::through(10.0, 100.0, 1000.0, 300.0, [0.0, 400.0]);
-        assert!((axis.at(100.0) - 200.0).abs() < 1e-9);
-        assert!((axis.low - 1.0).abs() < 1e-9 && (axis.high - 1e4).abs() < 1e-6);
-        assert!(axis.ticks().contains(&100.0));
-    }
-
-    #[test]
-    fn labels_move_apart_and_keep_their_order() {
-        let labels = spread(&[10.0, 12.0, 100.0], 10.0, [0.0, 200.0]);
-        assert_eq!(labels, [6.0, 16.0, 100.0]);
-        let labels = spread(&[1.0, 2.0, 3.0], 10.0, [0.0, 200.0]);
-        assert_eq!(labels, [0.0, 10.0, 20.0]);
-    }
+    use super::duration;
 
     #[test]
     fn durations_read_in_their_unit() {
