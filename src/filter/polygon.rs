@@ -172,11 +172,18 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// The BRDF with D averaged over a footprint around the half vector's slope; masking and shadowing
     /// unfiltered.
     ///
-    /// $\tilde D = \overline{P_{22}} / h_z^4$, then as [`Ndf::brdf`]; computed as that BRDF times
-    /// $\overline{P_{22}} / P_{22}$, which is 1 for a zero footprint. At half vectors so low that $P_{22}$ has
-    /// no normal number, the BRDF itself; 0 for a footprint with NaN.
+    /// $\tilde D = \overline{P_{22}} / m_z^4$, then as [`Ndf::brdf`]. $m$ is the normal whose density is that mean, on
+    /// the way from the lobe's centre to the half vector: of a zero footprint the half vector itself, and then the
+    /// result is the BRDF. At half vectors so low that $P_{22}$ has no normal number it is the BRDF, too; 0 for a
+    /// footprint with NaN.
     ///
-    /// Source: Kaplanyan et al. 2016, Eq. 11 and section 4.4.
+    /// Kaplanyan divides by the half vector's $h_z^4$: of a half vector near the horizon whose footprint reaches the
+    /// lobe the mean is the lobe's, and the factor, far beyond a million, is not. What a pixel sees is the mean of
+    /// $P_{22}/m_z^4$. For isotropic lobes ours is $\frac{1}{\pi\alpha^2} (\alpha^2 + (1 - \alpha^2) \sqrt M)^2$ with
+    /// $M = \pi\alpha^2 \overline{P_{22}}$: an upper bound of that mean (by Jensen's inequality), never twice as
+    /// large, never above the peak, and equal to it in both limits.
+    ///
+    /// Source: Kaplanyan et al. 2016, Eq. 11 and section 4.4, but for the factor.
     ///
     /// ```
     /// use lobe::{Footprint, Ggx, Isotropic};
@@ -205,11 +212,30 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         };
         let ((x, x_low), (y, y_low)) = (along(0), along(1));
         let form = self.shape().form([-x, -y, one], [-x_low, -y_low, zero]);
-        let pi_point = GgxDistribution::density(form, self.shape().root_det(), one, one, one);
+        let root_det = self.shape().root_det();
+        let pi_point = GgxDistribution::density(form, root_det, one, one, one);
         let mean = self.mean_at([x, y], [x_low, y_low], footprint);
-        let filtered = brdf * (mean * S::Scalar::PI / pi_point);
+        let ratio = (mean * S::Scalar::PI / pi_point).sqrt();
+        let factor = ratio * self.secant_ratio([x, y], form / root_det, ratio);
         // `max` drops NaN: of a NaN footprint, or of 0 times infinity.
-        let filtered = filtered.max(zero).min(S::Scalar::MAX);
+        let filtered = (brdf * factor * factor).max(zero).min(S::Scalar::MAX);
         if pi_point >= S::Scalar::MIN_POSITIVE { filtered } else { brdf }
+    }
+
+    /// $m_z^{-2}/h_z^{-2}$ of the normal m where the density's root is `ratio` times that at the half vector, whose
+    /// slope and form q are given.
+    #[inline]
+    fn secant_ratio(&self, slope: [S::Scalar; 2], q: S::Scalar, ratio: S::Scalar) -> S::Scalar {
+        let one = S::Scalar::ONE;
+        // 1 + q = 1/sqrt(M) there.
+        let there = ((one + q - ratio) / ratio).max(S::Scalar::ZERO);
+        let secant_squared = |[x, y]: [S::Scalar; 2]| one + x * x + y * y;
+        let here = secant_squared(slope);
+        let (offset, _) = self.shape().offset(slope);
+        let back = one - (there / q.max(S::Scalar::MIN_POSITIVE)).min(one).sqrt();
+        let nearer = secant_squared([slope[0] - back * offset[0], slope[1] - back * offset[1]]);
+        // Beyond the half vector no direction is the one: as far as an isotropic lobe of the same area goes.
+        let beyond = here + (there - q) * self.shape().root_det();
+        (if there <= q { nearer } else { beyond }) / here
     }
 }

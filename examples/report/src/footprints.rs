@@ -26,7 +26,10 @@ impl Disagreement {
                 let (here, motions) = scene.sample_in_motion(centre(x), centre(y));
                 let beside = scene.sample(centre(x ^ 1), centre(y));
                 let below = scene.sample(centre(x), centre(y ^ 1));
-                let quad = QuadPixel { here: &here, beside: &beside, below: &below }.footprint();
+                // The fourth pixel is nobody's difference.
+                let quad =
+                    QuadPixel { here: &here, beside: &beside, below: &below, across: &below };
+                let quad = quad.footprint();
                 let analytic = MovingPixel { here: &here, motions: &motions }.footprint();
                 difference([quad.u, quad.v], [analytic.u, analytic.v])
             })

@@ -40,7 +40,7 @@ impl<R: Scalar> Frame<R> {
     }
 
     /// The axes, the normal last.
-    #[cfg(test)]
+    #[inline]
     pub(crate) fn axes(&self) -> [Vector<R>; 3] {
         [self.first, self.second, self.normal]
     }

@@ -7,7 +7,7 @@ use crate::coverage;
 use crate::footprints::Disagreement;
 use crate::frontier::{Frontier, Point, Price, pareto};
 use crate::light::LightKind;
-use crate::method::{Derivatives, Distribution, Method, Surfacing};
+use crate::method::{Derivatives, Distribution, Family, Method, Surfacing};
 use crate::metric::{Errors, scale};
 use crate::reference::{Reference, References, Sampling, Target};
 use crate::render::{Pictures, render};
@@ -32,6 +32,7 @@ pub(crate) struct Effort {
 /// One method's line of a table.
 pub(crate) struct Row {
     pub(crate) name: String,
+    pub(crate) family: Family,
     pub(crate) samples: u32,
     pub(crate) filters: bool,
     /// The pixel filter whose picture the method approximates.
@@ -256,6 +257,7 @@ impl Under<'_> {
                 let against = |reference| Errors::of(picture, reference, self.judged, scale);
                 Row {
                     name: method.name.clone(),
+                    family: method.family,
                     samples: method.samples,
                     filters: method.filters(),
                     window: method.window,

@@ -3,6 +3,7 @@
 //!
 //! A new method is one more shading function in `shading` and one more entry in `list`.
 
+mod deferred;
 mod list;
 mod material;
 mod pixel;
@@ -36,6 +37,19 @@ impl Distribution {
     }
 }
 
+/// What a method needs to know, and so where in an engine it can stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Family {
+    /// More samples.
+    Supersampling,
+    /// The half vector: a forward pass, or a deferred one that keeps derivatives.
+    Forward,
+    /// The normal: roughness for a G-buffer.
+    Deferred,
+    /// The same, with an engine's formula and constants.
+    Engine,
+}
+
 /// A row of pixels, the other row of its quads, and the row's motions where a method wants them. Even in
 /// length; the row to shade may be one shorter.
 pub(crate) struct Rows<'a> {
@@ -55,6 +69,7 @@ pub(crate) struct Method {
     /// What it does, in a sentence.
     pub(crate) note: &'static str,
     pub(crate) distribution: Distribution,
+    pub(crate) family: Family,
     /// Samples per pixel; more than one only without a filter.
     pub(crate) samples: u32,
     /// Where the footprint comes from; nowhere for plain supersampling.
@@ -103,7 +118,8 @@ fn shade_row<F: Shade, S: Shape<Scalar = f32>>(
     let pairs = rows.here.chunks_exact(2).zip(rows.other.chunks_exact(2));
     for (out, (here, other)) in out.chunks_mut(2).zip(pairs) {
         for (k, out) in out.iter_mut().enumerate() {
-            let pixel = QuadPixel { here: &here[k], beside: &here[1 - k], below: &other[k] };
+            let (beside, below, across) = (&here[1 - k], &other[k], &other[1 - k]);
+            let pixel = QuadPixel { here: &here[k], beside, below, across };
             *out = shade.shade(material, &pixel);
         }
     }

@@ -1,5 +1,7 @@
 //! A pixel as a filter sees it: its sample, and derivatives from a quad or from motions.
 
+use lobe::filter::{ShadingFrame, quad_normal_footprint};
+use lobe::slope::Motion;
 use lobe::{Footprint, Real};
 
 use crate::scene::{Motions, Sample};
@@ -25,14 +27,28 @@ pub(crate) trait Pixel<R: Real> {
 
     /// The same from derivatives on the projected disk, taken as slopes.
     fn narrowed_footprint(&self) -> Footprint<R>;
+
+    /// Changes of the shading normal, in any frame.
+    fn normal_steps(&self) -> [[R; 3]; 2];
+
+    /// The footprint of a half vector that stands still at the normal: all that is known before the light is.
+    fn normal_footprint(&self) -> Footprint<R>;
 }
 
-/// A pixel and the two that share its quad's row and column: what `ddx_fine` and `ddy_fine` subtract, up to
-/// the sign, which no filter asks for.
+/// A pixel and the others of its quad. Those that share its row and column are what `ddx_fine` and `ddy_fine`
+/// subtract, up to the sign, which no filter asks for.
 pub(crate) struct QuadPixel<'a, R> {
     pub(crate) here: &'a Sample<R>,
     pub(crate) beside: &'a Sample<R>,
     pub(crate) below: &'a Sample<R>,
+    pub(crate) across: &'a Sample<R>,
+}
+
+/// The axes of a sample's frame in the world.
+#[inline]
+fn frame<R: Real>(sample: &Sample<R>) -> ShadingFrame<R> {
+    let ([a, b, c], [x, y, z]) = (sample.normal, sample.tangent);
+    [sample.tangent, [b * z - c * y, c * x - a * z, a * y - b * x], sample.normal]
 }
 
 impl<R: Real> Pixel<R> for QuadPixel<'_, R> {
@@ -52,6 +68,18 @@ impl<R: Real> Pixel<R> for QuadPixel<'_, R> {
         let [x, y, _] = self.here.half;
         let to = |other: &Sample<R>| [other.half[0] - x, other.half[1] - y];
         Footprint::from_disk_narrowed(to(self.beside), to(self.below))
+    }
+
+    #[inline]
+    fn normal_steps(&self) -> [[R; 3]; 2] {
+        let here = self.here.normal;
+        [self.beside, self.below].map(|other| [0, 1, 2].map(|k| other.normal[k] - here[k]))
+    }
+
+    #[inline]
+    fn normal_footprint(&self) -> Footprint<R> {
+        let quad = [self.here, self.beside, self.below, self.across].map(frame);
+        quad_normal_footprint(&quad).unwrap_or_default()
     }
 }
 
@@ -100,6 +128,17 @@ impl<R: Real> Pixel<R> for MovingPixel<'_, R> {
         });
         Footprint::from_disk_narrowed(u, v)
     }
+
+    #[inline]
+    fn normal_steps(&self) -> [[R; 3]; 2] {
+        self.motions.map(|motion| [motion.normal[0], motion.normal[1], R::ZERO])
+    }
+
+    #[inline]
+    fn normal_footprint(&self) -> Footprint<R> {
+        let [u, v] = self.motions.map(|motion| Motion { half: [R::ZERO; 3], ..motion });
+        Footprint::from_motion([R::ZERO, R::ZERO, R::ONE], &u, &v).unwrap_or_default()
+    }
 }
 
 #[cfg(test)]
@@ -114,7 +153,7 @@ mod tests {
     fn derivatives_on_the_disk_are_those_on_the_slope_plane() {
         let wo = normalize([0.5_f64, 0.2, 0.6]);
         let wi = normalize([-0.1, 0.7, 0.5]);
-        let here = Sample { wo, wi, half: half_vector(wo, wi), strength: 1.0, hit: true };
+        let here = Sample { wo, wi, half: half_vector(wo, wi), ..Sample::default() };
         let motions = [
             Motion { half: [0.02, -0.01, 0.03], normal: [0.05, -0.02], spin: 0.07 },
             Motion { half: [-0.01, 0.04, 0.01], normal: [0.01, 0.03], spin: -0.02 },

@@ -4,10 +4,10 @@
 
 use core::marker::PhantomData;
 
-use lobe::filter::{beckmann_rectangle_mean, kaplanyan_rectangle_mean};
+use lobe::filter::{DiskKernel, beckmann_rectangle_mean, kaplanyan_rectangle_mean};
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
 use lobe::slope::direction::slope_of;
-use lobe::{Distribution, Full, Kernel, Ndf, PixelFilter, Real, Shape};
+use lobe::{Distribution, Footprint, Full, Kernel, Ndf, PixelFilter, Real, Shape};
 
 use super::material::Material;
 use super::pixel::Pixel;
@@ -21,11 +21,12 @@ pub(super) trait Shade {
 
 /// BRDF times cosine and light.
 #[inline]
-fn lit<R: Real>(brdf: R, sample: &Sample<R>) -> R {
+pub(super) fn lit<R: Real>(brdf: R, sample: &Sample<R>) -> R {
     brdf * sample.wi[2] * sample.strength
 }
 
 /// One sample, no filter.
+#[derive(Clone)]
 pub(super) struct Plain<D>(pub(super) PhantomData<D>);
 
 impl<D: Distribution> Shade for Plain<D> {
@@ -37,6 +38,7 @@ impl<D: Distribution> Shade for Plain<D> {
 }
 
 /// A Gaussian kernel of a pixel filter, its variance added to the roughness: for Beckmann the convolution.
+#[derive(Clone)]
 pub(super) struct Widened<D>(pub(super) PixelFilter, pub(super) PhantomData<D>);
 
 impl<D: Distribution> Shade for Widened<D> {
@@ -50,6 +52,7 @@ impl<D: Distribution> Shade for Widened<D> {
 }
 
 /// Disk derivatives used unchanged, a wide kernel, a cap on what it adds.
+#[derive(Clone)]
 pub(super) struct Tokuyoshi;
 
 impl Shade for Tokuyoshi {
@@ -63,11 +66,53 @@ impl Shade for Tokuyoshi {
     }
 }
 
+/// Which kernel a filter makes of a pixel.
+#[derive(Clone, Copy)]
+pub(super) enum Widening {
+    /// The fit of the Gaussian's peak.
+    Fitted(PixelFilter),
+    /// The bounding rectangle's widths, squared: Kaplanyan's GGX proxy.
+    Proxy,
+    /// On the projected disk, there and back.
+    Projected(PixelFilter),
+    /// The same for the bounding rectangle on the disk, with a cap on what it adds.
+    ProjectedAlong(PixelFilter),
+}
+
+impl Shade for Widening {
+    #[inline]
+    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
+        let limit = S::Scalar::lit(Kernel::<S::Scalar>::ALPHA_SQUARED_LIMIT);
+        let roughness = &material.roughness;
+        let widened = match *self {
+            Self::Fitted(filter) => roughness.peak_fitted(&Kernel::of(&pixel.footprint(), filter)),
+            Self::Proxy => {
+                let widths = S::Scalar::lit(Footprint::<S::Scalar>::WIDTH_LIMIT);
+                let rectangle = pixel.footprint().bounding_within(widths);
+                roughness.widened(&Kernel::of(&rectangle, PixelFilter::KAPLANYAN_PROXY))
+            }
+            Self::Projected(filter) => {
+                let steps = pixel.narrowed_footprint();
+                roughness.widened_on_disk(&DiskKernel::of(steps.u, steps.v, filter))
+            }
+            Self::ProjectedAlong(filter) => {
+                let steps = pixel.narrowed_footprint();
+                let kernel = DiskKernel::of_bounding(steps.u, steps.v, filter).capped(limit);
+                roughness.widened_on_disk(&kernel)
+            }
+        };
+        let sample = pixel.sample();
+        let ggx = Ndf::<GgxDistribution, _>::new(Full::new(widened));
+        lit(ggx.brdf(sample.wo, sample.wi), sample)
+    }
+}
+
 /// Extents of the rectangle, below and above: Kaplanyan et al. 2016, section 5.2. The lower one keeps
 /// Appendix A out of its cancellation.
 const EXTENTS: [f64; 2] = [1e-3, 1.0];
 
 /// The mean of a distribution over the footprint's clamped bounding rectangle.
+#[derive(Clone)]
 pub(super) struct Rectangle<D>(pub(super) PhantomData<D>);
 
 /// A distribution with a mean over rectangles along its axes, given alphas, slope and widths.
@@ -109,6 +154,7 @@ impl<D: RectangleMean> Shade for Rectangle<D> {
 }
 
 /// GGX over the footprint itself.
+#[derive(Clone)]
 pub(super) struct Parallelogram;
 
 impl Shade for Parallelogram {

@@ -36,6 +36,9 @@ pub(crate) struct Sample<R> {
     pub(crate) wi: [R; 3],
     /// Their unit half vector.
     pub(crate) half: [R; 3],
+    /// The shading frame's first axis and its normal, in the world: what a G-buffer pass knows.
+    pub(crate) tangent: [R; 3],
+    pub(crate) normal: [R; 3],
     /// Irradiance on a surface that faces the light.
     pub(crate) strength: R,
     /// Whether there is a surface. Without one all directions are zero and shade to black.
@@ -97,7 +100,9 @@ impl<R: Scalar> Scene<R> {
         let arrival = self.light.at(hit.point);
         let away = scaled(-R::ONE / dot(ray.direction, ray.direction).sqrt(), ray.direction);
         let (wo, wi) = (frame.to_local(away), frame.to_local(arrival.wi));
-        Sample { wo, wi, half: half_vector(wo, wi), strength: arrival.strength, hit: true }
+        let [tangent, _, normal] = frame.axes();
+        let (half, strength) = (half_vector(wo, wi), arrival.strength);
+        Sample { wo, wi, half, tangent, normal, strength, hit: true }
     }
 
     /// What changes where the ray's direction does.

@@ -42,7 +42,8 @@ fn points(scene: &Scene<f64>, size: Size) -> Vec<[f64; 2]> {
 fn quad_error(scene: &Scene<f64>, [x, y]: [f64; 2], h: f64) -> [f64; 2] {
     let (here, motions) = scene.sample_in_motion(x, y);
     let (beside, below) = (scene.sample(x + h, y), scene.sample(x, y + h));
-    let quad = QuadPixel { here: &here, beside: &beside, below: &below }.narrowed_footprint();
+    let (here, beside, below) = (&here, &beside, &below);
+    let quad = QuadPixel { here, beside, below, across: below }.narrowed_footprint();
     let analytic = MovingPixel { here: &here, motions: &motions }.narrowed_footprint();
     let pairs = [(quad.u, analytic.u), (quad.v, analytic.v)];
     let error = pairs.map(|(q, a)| (q[0] / h - a[0]).abs().max((q[1] / h - a[1]).abs()));
