@@ -18,7 +18,7 @@ use rayon::prelude::*;
 use crate::camera::Size;
 use crate::method::{Distribution, Finish};
 use crate::pattern::Jitter;
-use crate::scene::Scene;
+use crate::scene::{Sample, Scene};
 use crate::window::{CELLS, MARGIN, PerWindow, PixelWindow};
 use deal::deal;
 use splat::{Cell, Splatter, Sums};
@@ -134,22 +134,33 @@ fn needed(target: &Target<'_>) -> Vec<bool> {
     needed
 }
 
+/// A material of one alpha.
+struct Material {
+    shape: AxisAligned<f64>,
+    /// One over the squared alphas.
+    inverse_squares: [f64; 2],
+}
+
+/// Where $e^{-q}$ is 0 in f64.
+const UNDERFLOW: f64 = 746.0;
+
 /// Takes samples of pixels.
 struct Sampler<'a> {
     scene: &'a Scene<f64>,
-    shapes: Vec<AxisAligned<f64>>,
+    materials: Vec<Material>,
     /// Corner of the first pixel of the margin.
     corner: f64,
 }
 
 impl<'a> Sampler<'a> {
     fn new(target: &Target<'a>) -> Result<Self, Error> {
-        let shapes = target.alphas.iter().take(ALPHAS).map(|&alpha| {
-            let [along, across] = target.finish.alphas(alpha);
-            AxisAligned::new(along, across)
+        let materials = target.alphas.iter().take(ALPHAS).map(|&alpha| {
+            let alphas = target.finish.alphas(alpha);
+            let inverse_squares = alphas.map(|alpha| 1.0 / (alpha * alpha));
+            Ok(Material { shape: AxisAligned::new(alphas[0], alphas[1])?, inverse_squares })
         });
-        let shapes = shapes.collect::<Result<_, _>>()?;
-        Ok(Self { scene: target.scene, shapes, corner: -(MARGIN as f64) })
+        let materials = materials.collect::<Result<_, _>>()?;
+        Ok(Self { scene: target.scene, materials, corner: -(MARGIN as f64) })
     }
 
     /// A quick picture of means.
@@ -207,15 +218,24 @@ impl<'a> Sampler<'a> {
                 if !s.hit {
                     continue;
                 }
-                let factor = s.wi[2] * s.strength * step * step;
-                let mut values = [0.0; CHANNELS];
-                for (values, shape) in values.chunks_exact_mut(2).zip(&self.shapes) {
-                    values[0] = Ggx::new(*shape).brdf(s.wo, s.wi) * factor;
-                    values[1] = Beckmann::new(*shape).brdf(s.wo, s.wi) * factor;
-                }
-                take(offset, values);
+                take(offset, self.radiances(&s, step * step));
             }
         }
+    }
+    /// Radiances of a sample under every alpha and distribution, times an area.
+    fn radiances(&self, s: &Sample<f64>, area: f64) -> [f64; CHANNELS] {
+        let factor = s.wi[2] * s.strength * area;
+        let squares = s.half.map(|x| x * x);
+        let mut values = [0.0; CHANNELS];
+        for (values, material) in values.chunks_exact_mut(2).zip(&self.materials) {
+            values[0] = Ggx::new(material.shape).brdf(s.wo, s.wi) * factor;
+            // Most of most pictures: not worth Beckmann's masking.
+            let [x, y] = material.inverse_squares;
+            if squares[0] * x + squares[1] * y < UNDERFLOW * squares[2] {
+                values[1] = Beckmann::new(material.shape).brdf(s.wo, s.wi) * factor;
+            }
+        }
+        values
     }
 }
 
