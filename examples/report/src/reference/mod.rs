@@ -12,6 +12,8 @@
 mod deal;
 mod splat;
 
+use std::collections::VecDeque;
+
 use lobe::{AxisAligned, Beckmann, Error, Ggx};
 use rayon::prelude::*;
 
@@ -39,19 +41,23 @@ pub(crate) struct Reference {
 }
 
 /// The references of one lit scene from the same samples.
-pub(crate) struct References(Vec<Reference>);
+pub(crate) struct References {
+    references: Vec<Reference>,
+    /// Samples per pixel on average, the pilot's not counted.
+    pub(crate) samples: f64,
+}
 
 impl References {
     /// Of the alpha of this index in the list that they were rendered for.
     pub(crate) fn of(&self, alpha: usize, distribution: Distribution) -> &Reference {
-        &self.0[alpha * Distribution::ALL.len() + distribution as usize]
+        &self.references[alpha * Distribution::ALL.len() + distribution as usize]
     }
 }
 
 /// How the reference samples a picture.
 #[derive(Clone, Copy)]
 pub(crate) struct Sampling {
-    /// Samples per pixel on average, about.
+    /// Samples per pixel on average to deal out by need; no pixel gets fewer than a fixed number.
     pub(crate) samples: u32,
 }
 
@@ -85,21 +91,21 @@ impl Sampling {
         target: &Target<'_>,
         row_done: &(impl Fn() + Sync),
     ) -> Result<References, Error> {
-        let camera = Sampler::new(target)?;
+        let sampler = Sampler::new(target)?;
         let whole = target.size.grown(MARGIN);
-        let pilot = camera.pilot(whole);
+        let pilot = sampler.pilot(whole);
         let strata = deal(self.samples, &pilot, &needed(target), whole);
 
         let splatter = Splatter::new();
         let mut collected = Collected::new(target);
-        // The rows that later ones may still add to, the first of them that of the picture's `next`.
-        let mut open: std::collections::VecDeque<Vec<Sums>> = std::collections::VecDeque::new();
+        // Rows of the picture that rows still to come may add to.
+        let mut open: VecDeque<Vec<Sums>> = VecDeque::new();
         let rows: Vec<usize> = (0..whole.height).collect();
         for wave in rows.chunks(WAVE) {
             let spread: Vec<_> = wave
                 .par_iter()
                 .map(|&y| {
-                    let row = camera.row(y, whole.width, &strata[y * whole.width..]);
+                    let row = sampler.row(y, whole.width, &strata[y * whole.width..]);
                     row_done();
                     splatter.spread(&row, target.size.width)
                 })
@@ -117,7 +123,8 @@ impl Sampling {
                 }
             }
         }
-        Ok(collected.finish())
+        let samples: f64 = strata.iter().map(|&n| 2.0 * f64::from(n * n)).sum();
+        Ok(References { references: collected.finish(), samples: samples / strata.len() as f64 })
     }
 }
 
@@ -278,12 +285,12 @@ impl<'a> Collected<'a> {
         }
     }
 
-    fn finish(self) -> References {
+    fn finish(self) -> Vec<Reference> {
         let count = self.count.max(1.0);
         let references = self.pictures.into_iter().zip(self.squares).map(|(radiance, squares)| {
             Reference { radiance, noise: squares.map(|sum| 0.5 * (sum / count).sqrt()) }
         });
-        References(references.collect())
+        references.collect()
     }
 }
 
