@@ -85,7 +85,9 @@ fn a_half_vector_near_the_horizon_is_no_firefly() {
         let got = ggx.brdf_over(normal, normal, &over) / visible;
         let mean = ggx.parallelogram_mean([steep, 0.1], &over);
         let kaplanyan = mean / normal[2].powi(4);
-        assert!(got <= 2.1 * mean && got > 0.9 * mean, "{steep}: {got:e}, mean {mean:e}");
-        assert!(kaplanyan > 5e3 * mean, "{steep}: {kaplanyan:e}");
+        // The lobe's mass and the tail, whose D is alpha^2/pi.
+        let seen = mean + 1e-4 / core::f32::consts::PI;
+        assert!(got <= 2.0 * seen && got > 0.9 * seen, "{steep}: {got:e}, not {seen:e}");
+        assert!(kaplanyan > 5e3 * seen, "{steep}: {kaplanyan:e}");
     }
 }

@@ -121,9 +121,8 @@ impl Report {
     /// What the numbers hold for.
     fn conditions(&self) -> String {
         format!(
-            "Timed in this run on one thread of: {}. Times compare within one run only. Reference: {} \
-             samples per pixel on average, in f64.",
-            self.processor, self.effort.sampling.samples,
+            "Timed in this run on one thread of: {}. Times compare within one run only.",
+            self.processor,
         )
     }
 

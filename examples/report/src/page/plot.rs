@@ -15,7 +15,7 @@ const RIGHT: f64 = 22.0;
 const TOP: f64 = 16.0;
 const BOTTOM: f64 = 50.0;
 /// Room for the filters' names, left of the fastest of them.
-const NAMES: f64 = 172.0;
+const NAMES: f64 = 224.0;
 /// Distance of the names' baselines.
 const LEADING: f64 = 17.0;
 

@@ -32,12 +32,11 @@ pub(super) fn html(study: &Study) -> String {
             .into_iter()
             .map(|warning| format!("<p class=\"note warning\">{}</p>\n", escape(&warning)));
         format!(
-            "<h3>{}</h3>\n{}<p class=\"note\">{}</p>\n{}<h4>{}</h4>\n{}",
+            "<h3>{}</h3>\n{}<p class=\"note\">{}</p>\n{}<h4>Every method against the box pixel</h4>\n{}",
             heading(panel),
             table(panel).html(),
             noise(panel),
             warnings.collect::<Vec<_>>().concat(),
-            AGAINST_BOX,
             box_table(panel).html(),
         )
     });
@@ -62,8 +61,6 @@ pub(super) fn html(study: &Study) -> String {
     )
 }
 
-const AGAINST_BOX: &str = "Every method against the box pixel";
-
 /// Light, alpha and distribution.
 fn heading(panel: &Panel) -> String {
     format!("{}, {}, alpha {}", panel.distribution.name(), panel.light.name(), panel.alpha)
@@ -79,10 +76,11 @@ fn facts(study: &Study) -> String {
         )
     });
     format!(
-        "{} x {} pixels, {:.0} % of them judged; geometry {} ns per sample, {} ns more with motions.{footprints}",
+        "{} x {} pixels, {:.0} % of them judged; {:.0} samples per pixel in the reference; geometry {} ns per sample, {} ns more with motions.{footprints}",
         study.size.width,
         study.size.height,
         100.0 * study.judged_part(),
+        study.reference_samples,
         significant(study.geometry),
         significant(study.motion),
     )

@@ -12,13 +12,15 @@
 mod deal;
 mod splat;
 
+use std::collections::VecDeque;
+
 use lobe::{AxisAligned, Beckmann, Error, Ggx};
 use rayon::prelude::*;
 
 use crate::camera::Size;
 use crate::method::{Distribution, Finish};
 use crate::pattern::Jitter;
-use crate::scene::Scene;
+use crate::scene::{Sample, Scene};
 use crate::window::{CELLS, MARGIN, PerWindow, PixelWindow};
 use deal::deal;
 use splat::{Cell, Splatter, Sums};
@@ -39,19 +41,23 @@ pub(crate) struct Reference {
 }
 
 /// The references of one lit scene from the same samples.
-pub(crate) struct References(Vec<Reference>);
+pub(crate) struct References {
+    references: Vec<Reference>,
+    /// Samples per pixel on average, the pilot's not counted.
+    pub(crate) samples: f64,
+}
 
 impl References {
     /// Of the alpha of this index in the list that they were rendered for.
     pub(crate) fn of(&self, alpha: usize, distribution: Distribution) -> &Reference {
-        &self.0[alpha * Distribution::ALL.len() + distribution as usize]
+        &self.references[alpha * Distribution::ALL.len() + distribution as usize]
     }
 }
 
 /// How the reference samples a picture.
 #[derive(Clone, Copy)]
 pub(crate) struct Sampling {
-    /// Samples per pixel on average, about.
+    /// Samples per pixel on average to deal out by need; no pixel gets fewer than a fixed number.
     pub(crate) samples: u32,
 }
 
@@ -85,21 +91,21 @@ impl Sampling {
         target: &Target<'_>,
         row_done: &(impl Fn() + Sync),
     ) -> Result<References, Error> {
-        let camera = Sampler::new(target)?;
+        let sampler = Sampler::new(target)?;
         let whole = target.size.grown(MARGIN);
-        let pilot = camera.pilot(whole);
+        let pilot = sampler.pilot(whole);
         let strata = deal(self.samples, &pilot, &needed(target), whole);
 
         let splatter = Splatter::new();
         let mut collected = Collected::new(target);
-        // The rows that later ones may still add to, the first of them that of the picture's `next`.
-        let mut open: std::collections::VecDeque<Vec<Sums>> = std::collections::VecDeque::new();
+        // Rows of the picture that rows still to come may add to.
+        let mut open: VecDeque<Vec<Sums>> = VecDeque::new();
         let rows: Vec<usize> = (0..whole.height).collect();
         for wave in rows.chunks(WAVE) {
             let spread: Vec<_> = wave
                 .par_iter()
                 .map(|&y| {
-                    let row = camera.row(y, whole.width, &strata[y * whole.width..]);
+                    let row = sampler.row(y, whole.width, &strata[y * whole.width..]);
                     row_done();
                     splatter.spread(&row, target.size.width)
                 })
@@ -117,7 +123,8 @@ impl Sampling {
                 }
             }
         }
-        Ok(collected.finish())
+        let samples: f64 = strata.iter().map(|&n| 2.0 * f64::from(n * n)).sum();
+        Ok(References { references: collected.finish(), samples: samples / strata.len() as f64 })
     }
 }
 
@@ -134,22 +141,33 @@ fn needed(target: &Target<'_>) -> Vec<bool> {
     needed
 }
 
+/// A material of one alpha.
+struct Material {
+    shape: AxisAligned<f64>,
+    /// One over the squared alphas.
+    inverse_squares: [f64; 2],
+}
+
+/// Where $e^{-q}$ is 0 in f64.
+const UNDERFLOW: f64 = 746.0;
+
 /// Takes samples of pixels.
 struct Sampler<'a> {
     scene: &'a Scene<f64>,
-    shapes: Vec<AxisAligned<f64>>,
+    materials: Vec<Material>,
     /// Corner of the first pixel of the margin.
     corner: f64,
 }
 
 impl<'a> Sampler<'a> {
     fn new(target: &Target<'a>) -> Result<Self, Error> {
-        let shapes = target.alphas.iter().take(ALPHAS).map(|&alpha| {
-            let [along, across] = target.finish.alphas(alpha);
-            AxisAligned::new(along, across)
+        let materials = target.alphas.iter().take(ALPHAS).map(|&alpha| {
+            let alphas = target.finish.alphas(alpha);
+            let inverse_squares = alphas.map(|alpha| 1.0 / (alpha * alpha));
+            Ok(Material { shape: AxisAligned::new(alphas[0], alphas[1])?, inverse_squares })
         });
-        let shapes = shapes.collect::<Result<_, _>>()?;
-        Ok(Self { scene: target.scene, shapes, corner: -(MARGIN as f64) })
+        let materials = materials.collect::<Result<_, _>>()?;
+        Ok(Self { scene: target.scene, materials, corner: -(MARGIN as f64) })
     }
 
     /// A quick picture of means.
@@ -207,15 +225,24 @@ impl<'a> Sampler<'a> {
                 if !s.hit {
                     continue;
                 }
-                let factor = s.wi[2] * s.strength * step * step;
-                let mut values = [0.0; CHANNELS];
-                for (values, shape) in values.chunks_exact_mut(2).zip(&self.shapes) {
-                    values[0] = Ggx::new(*shape).brdf(s.wo, s.wi) * factor;
-                    values[1] = Beckmann::new(*shape).brdf(s.wo, s.wi) * factor;
-                }
-                take(offset, values);
+                take(offset, self.radiances(&s, step * step));
             }
         }
+    }
+    /// Radiances of a sample under every alpha and distribution, times an area.
+    fn radiances(&self, s: &Sample<f64>, area: f64) -> [f64; CHANNELS] {
+        let factor = s.wi[2] * s.strength * area;
+        let squares = s.half.map(|x| x * x);
+        let mut values = [0.0; CHANNELS];
+        for (values, material) in values.chunks_exact_mut(2).zip(&self.materials) {
+            values[0] = Ggx::new(material.shape).brdf(s.wo, s.wi) * factor;
+            // Most of most pictures: not worth Beckmann's masking.
+            let [x, y] = material.inverse_squares;
+            if squares[0] * x + squares[1] * y < UNDERFLOW * squares[2] {
+                values[1] = Beckmann::new(material.shape).brdf(s.wo, s.wi) * factor;
+            }
+        }
+        values
     }
 }
 
@@ -258,12 +285,12 @@ impl<'a> Collected<'a> {
         }
     }
 
-    fn finish(self) -> References {
+    fn finish(self) -> Vec<Reference> {
         let count = self.count.max(1.0);
         let references = self.pictures.into_iter().zip(self.squares).map(|(radiance, squares)| {
             Reference { radiance, noise: squares.map(|sum| 0.5 * (sum / count).sqrt()) }
         });
-        References(references.collect())
+        references.collect()
     }
 }
 

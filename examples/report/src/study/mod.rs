@@ -1,19 +1,23 @@
 //! One scene under its lights, all alphas, all methods: pictures, errors, times.
 
+mod panel;
+
 use lobe::Error;
 
 use crate::camera::Size;
 use crate::coverage;
 use crate::footprints::Disagreement;
-use crate::frontier::{Frontier, Point, Price, pareto};
+use crate::frontier::{Frontier, Point, pareto};
 use crate::light::LightKind;
-use crate::method::{Derivatives, Distribution, Family, Method, Surfacing};
+use crate::method::{Derivatives, Distribution, Method, Surfacing};
 use crate::metric::{Errors, scale};
 use crate::reference::{Reference, References, Sampling, Target};
 use crate::render::{Pictures, render};
 use crate::scene::Subject;
 use crate::timing::{self, Timing};
-use crate::window::{MARGIN, PerWindow, PixelWindow};
+use crate::window::{MARGIN, PixelWindow};
+
+pub(crate) use panel::{Panel, Row};
 
 /// What a run does to every scene.
 #[derive(Clone)]
@@ -29,86 +33,6 @@ pub(crate) struct Effort {
     pub(crate) alphas: Vec<f64>,
 }
 
-/// One method's line of a table.
-pub(crate) struct Row {
-    pub(crate) name: String,
-    pub(crate) family: Family,
-    pub(crate) samples: u32,
-    pub(crate) filters: bool,
-    /// The pixel filter whose picture the method approximates.
-    pub(crate) window: PixelWindow,
-    /// Against the reference of that filter.
-    pub(crate) errors: Errors,
-    /// Against the reference of the box.
-    pub(crate) box_errors: Errors,
-    /// Nanoseconds of shading per sample, footprints included.
-    pub(crate) shading: f64,
-    /// Nanoseconds per pixel: samples times geometry, motions if the method needs them, and shading.
-    pub(crate) pixel: f64,
-    /// No other method of the panel is both faster and nearer to its own reference.
-    pub(crate) pareto: bool,
-    /// Samples that plain supersampling needs for the same RMSE; of filters only.
-    pub(crate) equal_samples: Option<Price>,
-    /// Its time over this method's, at the same RMSE; of filters only.
-    pub(crate) speed_up: Option<Price>,
-    /// Radiance, unscaled; in the panel that is shown.
-    pub(crate) picture: Option<Vec<f32>>,
-}
-
-impl Row {
-    /// Nanoseconds per pixel and error.
-    pub(crate) fn point(&self) -> Point {
-        Point { cost: self.pixel, error: self.errors.rmse }
-    }
-}
-
-/// All methods of one distribution on one scene under one light at one alpha.
-pub(crate) struct Panel {
-    pub(crate) light: LightKind,
-    pub(crate) alpha: f64,
-    pub(crate) distribution: Distribution,
-    /// Brings radiance to a mean box reference of 1 over the judged pixels.
-    pub(crate) scale: f64,
-    /// The references' standard errors on that scale.
-    pub(crate) noise: PerWindow<f64>,
-    /// The box reference, unscaled; in the panel that is shown.
-    pub(crate) reference: Option<Vec<f64>>,
-    pub(crate) rows: Vec<Row>,
-}
-
-impl Panel {
-    /// The filter with the smallest RMSE.
-    pub(crate) fn best(&self) -> Option<&Row> {
-        let filters = self.rows.iter().filter(|row| row.filters);
-        filters.min_by(|a, b| a.errors.rmse.total_cmp(&b.errors.rmse))
-    }
-
-    /// The row of one plain sample.
-    pub(crate) fn plain(&self) -> Option<&Row> {
-        self.rows.iter().find(|row| !row.filters && row.samples == 1)
-    }
-
-    /// The noise of a row's own reference.
-    pub(crate) fn noise_of(&self, row: &Row) -> f64 {
-        self.noise[row.window as usize]
-    }
-
-    /// The reference's noise over the best filter's RMSE, and the largest such ratio of all rows.
-    pub(crate) fn noise_ratios(&self) -> [f64; 2] {
-        let over = |row: &Row| {
-            if row.errors.rmse > 0.0 { self.noise_of(row) / row.errors.rmse } else { 0.0 }
-        };
-        let largest = self.rows.iter().map(over).fold(0.0, f64::max);
-        [self.best().map_or(largest, over), largest]
-    }
-
-    /// Filters that one plain sample beats.
-    pub(crate) fn worse_than_plain(&self) -> impl Iterator<Item = &Row> {
-        let plain = self.plain().map_or(f64::INFINITY, |row| row.errors.rmse);
-        self.rows.iter().filter(move |row| row.filters && row.errors.rmse > plain)
-    }
-}
-
 /// A scene's results.
 pub(crate) struct Study {
     pub(crate) name: String,
@@ -120,6 +44,8 @@ pub(crate) struct Study {
     pub(crate) geometry: f64,
     /// Nanoseconds per sample that motions take on top.
     pub(crate) motion: f64,
+    /// Samples per pixel of the first light's references.
+    pub(crate) reference_samples: f64,
     /// Quads' footprints against analytic ones, under the first light.
     pub(crate) disagreement: Option<Disagreement>,
     /// By light, then alpha, then distribution; the first one has pictures.
@@ -168,12 +94,9 @@ impl Study {
             timing::measure(&distant.engine, size, &judged, material, &timed, effort.rounds);
         let times: Vec<_> = methods.iter().map(|m| times_of(m, &timed, &timing)).collect();
 
-        let (mut panels, mut disagreement) = (Vec::new(), None);
+        let (mut panels, mut disagreement, mut reference_samples) = (Vec::new(), None, 0.0);
         for &light in &effort.lights {
             let lit = subject.lit(light);
-            if panels.is_empty() {
-                disagreement = Disagreement::on(&lit.engine, size, &judged);
-            }
             let alphas = &effort.alphas;
             let target = Target { scene: &lit.exact, size, finish, alphas, judged: &judged };
             let row_done = || progress(REFERENCE_WEIGHT as u64);
@@ -181,6 +104,10 @@ impl Study {
             let rows_done = |rows: usize| progress((rows * methods.len() * alphas.len()) as u64);
             let pictures = render(&lit.engine, size, &materials, methods, &rows_done);
             let shown = panels.is_empty();
+            if shown {
+                disagreement = Disagreement::on(&lit.engine, size, &judged);
+                reference_samples = references.samples;
+            }
             let under = Under { light, alphas, methods, times: &times, judged: &judged };
             panels.extend(under.panels(&references, pictures, shown));
         }
@@ -191,6 +118,7 @@ impl Study {
             judged,
             geometry: timing.geometry,
             motion: timing.motion,
+            reference_samples,
             disagreement,
             panels,
         })
