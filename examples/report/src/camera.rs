@@ -1,12 +1,13 @@
 //! A pinhole camera: rays through the picture, and how they change from pixel to pixel.
 
 use lobe::slope::direction::normalize;
+use serde::Serialize;
 
 use crate::scalar::Scalar;
 use crate::vector::{Vector, along, cast, cross, scaled, sub};
 
 /// A picture's size in pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub(crate) struct Size {
     pub(crate) width: usize,
     pub(crate) height: usize,

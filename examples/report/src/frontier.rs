@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use serde::Serialize;
+
 /// What a picture costs, in nanoseconds or in samples, and its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Point {
@@ -10,7 +12,8 @@ pub(crate) struct Point {
 }
 
 /// What supersampling pays for an error, as far as its sample counts tell.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub(crate) enum Price {
     /// Between two sample counts, by interpolation.
     About(f64),

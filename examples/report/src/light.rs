@@ -1,10 +1,13 @@
 //! Lights: a direction, or a point that shines alike in all directions.
 
+use serde::Serialize;
+
 use crate::scalar::Scalar;
 use crate::vector::{Vector, along, cast, dot, scaled, sub, tangential};
 
 /// Which of a scene's two lights.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub(crate) enum LightKind {
     Distant,
     Point,

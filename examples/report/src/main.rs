@@ -15,12 +15,14 @@ mod method;
 mod metric;
 mod options;
 mod output;
+mod overlap;
 mod page;
 mod pattern;
 mod reference;
 mod render;
 mod scalar;
 mod scene;
+mod standing;
 mod study;
 mod texture;
 mod timing;
@@ -76,9 +78,11 @@ fn run(options: &Options) -> Result<(), Mistake> {
     }
     bar.finish_and_clear();
     print(&report.kernels_text());
+    print(&report.advice_text());
     if let Some(cover) = report.cover() {
         output.write(output::COVER, &cover)?;
     }
+    output.write(output::DATA, &report.json().map_err(Mistake)?)?;
     let path = output.write(output::PAGE, report.html(&methods).as_bytes())?;
     print(&format!("{}Page: {}\n", report.summary_text(), path.display()));
     Ok(())

@@ -1,10 +1,12 @@
 //! How far a picture is from the reference, over the pixels that are judged.
 
+use serde::Serialize;
+
 /// Softens relMSE in the dark: a tenth of the mean radiance, squared.
 pub(crate) const SOFTENING: f64 = 0.01;
 
 /// Errors of a picture against a reference, both scaled to a mean reference radiance of 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub(crate) struct Errors {
     /// Root mean square of x - r.
     pub(crate) rmse: f64,

@@ -14,6 +14,9 @@ pub(crate) struct Output {
 /// Name of the page.
 pub(crate) const PAGE: &str = "index.html";
 
+/// Name of the results for programs.
+pub(crate) const DATA: &str = "report.json";
+
 /// Name of the picture: one scene unfiltered, filtered, and as it should be.
 pub(crate) const COVER: &str = "cover.png";
 
@@ -25,7 +28,7 @@ impl Output {
             Mistake(format!("--out '{}': cannot be written to ({error})", folder.display()))
         };
         fs::create_dir_all(folder).map_err(|error| refused(&error))?;
-        for name in [PAGE, COVER] {
+        for name in [PAGE, COVER, DATA] {
             if folder.join(name).is_dir() {
                 return Err(refused(&format!("{name} is a folder there")));
             }

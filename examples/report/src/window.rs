@@ -1,9 +1,11 @@
 //! Pixel filters of the reference: the box and three Gaussians, over a pixel's cells.
 
 use lobe::{PixelFilter, Real};
+use serde::Serialize;
 
 /// A pixel filter that references are made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub(crate) enum PixelWindow {
     /// The pixel itself.
     Box,

@@ -20,7 +20,7 @@ fn run(name: &str, arguments: &[&str]) -> (String, String) {
     let mut files: Vec<_> =
         fs::read_dir(&folder).unwrap().map(|f| f.unwrap().file_name()).collect();
     files.sort();
-    assert_eq!(files, ["cover.png", "index.html"], "two files, nothing unfinished");
+    assert_eq!(files, ["cover.png", "index.html", "report.json"], "nothing unfinished");
     (
         String::from_utf8(output.stdout).unwrap(),
         fs::read_to_string(folder.join("index.html")).unwrap(),
@@ -46,10 +46,10 @@ fn water_gives_one_self_contained_page_with_finite_numbers() {
     assert_self_contained(&page);
     // One for each distribution; four measures under two pixels and two figures of Eq. 20.
     assert_eq!(page.matches("<svg").count(), 2 + 4 * 2 + 2);
-    assert_eq!(page.matches("<img").count(), 4);
+    assert_eq!(page.matches("<img").count(), 5);
     // Two alphas; supersampling and rectangles for both distributions, parallelograms for GGX with two kinds
-    // of footprints.
-    for (name, rows) in [("exact parallelogram", 4), ("supersampling 256", 4), ("rectangle", 4)] {
+    // of footprints; and each GGX method once over all scenes.
+    for (name, rows) in [("exact parallelogram", 6), ("supersampling 256", 5), ("rectangle", 5)] {
         let lines = text.lines().filter(|line| line.starts_with(name));
         assert_eq!(lines.count(), rows, "{name}");
         assert!(page.contains(name), "{name}");

@@ -6,6 +6,7 @@ use lobe::PixelFilter;
 use lobe::filter::preset::Engine;
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
 
+use super::count::counting;
 use super::deferred::Deferred;
 use super::shading::{Parallelogram, Plain, Rectangle, Shade, Tokuyoshi, Widened, Widening};
 use super::{Derivatives, Distribution, Family, Method, by_pixel};
@@ -48,6 +49,7 @@ impl<F: Shade + Clone + Send + Sync + 'static> Filter<F> {
             derivatives,
             window: self.window,
             shading: by_pixel(self.shade.clone(), derivatives),
+            counting: counting(self.shade.clone(), derivatives),
         }
     }
 }
@@ -58,11 +60,12 @@ fn supersampling(distribution: Distribution, samples: u32) -> Method {
         1 => "none (1 sample)".into(),
         many => format!("supersampling {many}"),
     };
-    let shading = match distribution {
-        Distribution::Ggx => by_pixel(Plain::<GgxDistribution>(PhantomData), Derivatives::None),
-        Distribution::Beckmann => {
-            by_pixel(Plain::<BeckmannDistribution>(PhantomData), Derivatives::None)
-        }
+    let (ggx, beckmann) =
+        (Plain::<GgxDistribution>(PhantomData), Plain::<BeckmannDistribution>(PhantomData));
+    let none = Derivatives::None;
+    let (shading, counting) = match distribution {
+        Distribution::Ggx => (by_pixel(ggx.clone(), none), counting(ggx, none)),
+        Distribution::Beckmann => (by_pixel(beckmann.clone(), none), counting(beckmann, none)),
     };
     Method {
         name,
@@ -74,6 +77,7 @@ fn supersampling(distribution: Distribution, samples: u32) -> Method {
         derivatives: Derivatives::None,
         window: PixelWindow::Box,
         shading,
+        counting,
     }
 }
 
@@ -89,7 +93,7 @@ pub(crate) fn all() -> Vec<Method> {
     methods
 }
 
-/// A forward filter of GGX.
+/// A filter of GGX that makes a wider lobe of the half vector's footprint.
 fn forward<F>(
     name: &'static str,
     source: &'static str,
@@ -97,7 +101,7 @@ fn forward<F>(
     window: PixelWindow,
     shade: F,
 ) -> Filter<F> {
-    let (distribution, family) = (Distribution::Ggx, Family::Forward);
+    let (distribution, family) = (Distribution::Ggx, Family::Widened);
     Filter { name, source, note, distribution, family, window, shade }
 }
 
@@ -185,6 +189,7 @@ fn ggx_over_an_area() -> Vec<Method> {
         PixelWindow::Box,
         Rectangle::<GgxDistribution>(PhantomData),
     );
+    let rectangle = Filter { family: Family::Area, ..rectangle };
     let parallelogram = forward(
         "exact parallelogram",
         "lobe, Ggx::brdf_over",
@@ -192,6 +197,7 @@ fn ggx_over_an_area() -> Vec<Method> {
         PixelWindow::Box,
         Parallelogram,
     );
+    let parallelogram = Filter { family: Family::Area, ..parallelogram };
     let mut methods = vec![rectangle.in_quads()];
     methods.extend(parallelogram.both());
     methods
@@ -266,7 +272,7 @@ fn beckmann() -> Vec<Method> {
         source,
         note,
         distribution: Distribution::Beckmann,
-        family: Family::Forward,
+        family: Family::Widened,
         window,
         shade: Widened::<BeckmannDistribution>(filter, PhantomData),
     };
@@ -300,7 +306,7 @@ fn beckmann() -> Vec<Method> {
             source: "Kaplanyan et al. 2016, Eq. 16",
             note: "Mean over the footprint's bounding rectangle, extents from 0.001 to 1, error functions.",
             distribution: Distribution::Beckmann,
-            family: Family::Forward,
+            family: Family::Area,
             window: PixelWindow::Box,
             shade: Rectangle::<BeckmannDistribution>(PhantomData),
         }

@@ -3,6 +3,7 @@
 //!
 //! A new method is one more shading function in `shading` and one more entry in `list`.
 
+mod count;
 mod deferred;
 mod list;
 mod material;
@@ -10,17 +11,21 @@ mod pixel;
 mod shading;
 
 use lobe::Shape;
+use serde::Serialize;
 
 use crate::scene::{Motions, Sample};
 use crate::window::PixelWindow;
+use count::Counting;
 use shading::Shade;
 
+pub(crate) use count::{CountedPixels, Tally};
 pub(crate) use list::all;
 pub(crate) use material::{Finish, Material, Surfacing};
 pub(crate) use pixel::{Derivatives, MovingPixel, Pixel, QuadPixel};
 
 /// The distribution a method shades with, and is held against.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub(crate) enum Distribution {
     Ggx,
     Beckmann,
@@ -38,12 +43,15 @@ impl Distribution {
 }
 
 /// What a method needs to know, and so where in an engine it can stand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub(crate) enum Family {
     /// More samples.
     Supersampling,
-    /// The half vector: a forward pass, or a deferred one that keeps derivatives.
-    Forward,
+    /// The half vector, of which it makes a wider lobe: one for a light, or for many that are near each other.
+    Widened,
+    /// The half vector, over whose footprint it averages: a number for each light, and no lobe.
+    Area,
     /// The normal: roughness for a G-buffer.
     Deferred,
     /// The same, with an engine's formula and constants.
@@ -77,12 +85,18 @@ pub(crate) struct Method {
     /// The pixel filter whose picture it approximates.
     pub(crate) window: PixelWindow,
     shading: Shading,
+    counting: Counting,
 }
 
 impl Method {
     /// False for plain supersampling.
     pub(crate) fn filters(&self) -> bool {
         self.derivatives != Derivatives::None
+    }
+
+    /// Operations per pixel of its shading, of one sample.
+    pub(crate) fn count(&self, pixels: &CountedPixels) -> Tally {
+        (self.counting)(pixels)
     }
 
     /// Shades a row of pixels.

@@ -3,11 +3,13 @@
 use lobe::filter::{ShadingFrame, quad_normal_footprint};
 use lobe::slope::Motion;
 use lobe::{Footprint, Real};
+use serde::Serialize;
 
 use crate::scene::{Motions, Sample};
 
 /// Where a filter's footprint comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub(crate) enum Derivatives {
     /// Nowhere: plain supersampling.
     None,

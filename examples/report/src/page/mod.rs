@@ -4,14 +4,18 @@ mod axis;
 mod chart;
 mod kernels;
 mod measure;
+mod overall;
 mod picture;
 mod plot;
 mod proxy;
 mod section;
 mod table;
 
+use serde::Serialize;
+
 use crate::kernels::Kernels;
 use crate::method::{Distribution, Method};
+use crate::standing::{Advice, Standing, advice, standings};
 use crate::study::{Effort, Panel, Row, Study};
 use crate::timing;
 use section::{equal_samples, equal_time};
@@ -56,6 +60,30 @@ impl Report {
         format!("\n{}{}\n", table.text(), self.conditions())
     }
 
+    /// What to use when, as text.
+    pub(crate) fn advice_text(&self) -> String {
+        let standings = overall::standings_table(&self.standings()).text();
+        let advice = overall::advice_table(&self.advice()).text();
+        format!(
+            "\nAll methods over all scenes, GGX, alpha {}\n{standings}\nWhat to use when\n{advice}{}\n",
+            self.alpha(),
+            overall::ADVICE_NOTE,
+        )
+    }
+
+    fn alpha(&self) -> f64 {
+        self.effort.alphas.first().copied().unwrap_or_default()
+    }
+
+    /// GGX over all scenes at the smallest alpha.
+    pub(crate) fn standings(&self) -> Vec<Standing> {
+        standings(&self.studies, Distribution::Ggx, self.alpha())
+    }
+
+    pub(crate) fn advice(&self) -> Vec<Advice> {
+        advice(&self.studies, &self.effort.alphas)
+    }
+
     /// The scene that needs a filter most, without one, with the best, and as it should be: a PNG file.
     pub(crate) fn cover(&self) -> Option<Vec<u8>> {
         let error = |study: &&Study| {
@@ -65,9 +93,24 @@ impl Report {
         section::cover(worst)
     }
 
+    /// Everything that was measured, for programs.
+    pub(crate) fn json(&self) -> Result<Vec<u8>, String> {
+        let data = Data {
+            program: concat!("lobe-report ", env!("CARGO_PKG_VERSION")),
+            processor: &self.processor,
+            alphas: &self.effort.alphas,
+            advice: self.advice(),
+            standings: self.standings(),
+            studies: &self.studies,
+            kernels: &self.kernels,
+        };
+        serde_json::to_vec_pretty(&data).map_err(|error| format!("report.json: {error}"))
+    }
+
     /// The page.
     pub(crate) fn html(&self, methods: &[Method]) -> String {
         let sections: Vec<_> = self.studies.iter().map(section::html).collect();
+        let [front, back] = overall::html(&self.advice(), &self.standings(), self.alpha());
         format!(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
@@ -76,9 +119,9 @@ impl Report {
              <p class=\"lead\">Specular filters at one sample per pixel against plain supersampling, \
              plots at alpha = {}. The large number is how much longer supersampling takes to reach the best \
              filter\u{2019}s error.</p>\n\
-             {}{}{}{}</body>\n</html>\n",
+             {front}{}{back}{}{}{}</body>\n</html>\n",
             include_str!("style.css"),
-            self.effort.alphas.first().copied().unwrap_or_default(),
+            self.alpha(),
             self.summary(),
             sections.concat(),
             kernels::html(&self.kernels),
@@ -147,6 +190,19 @@ impl Report {
             table.html(),
         )
     }
+}
+
+/// The results as they are written to report.json. Numbers that are not finite become null.
+#[derive(Serialize)]
+struct Data<'a> {
+    program: &'static str,
+    processor: &'a str,
+    alphas: &'a [f64],
+    advice: Vec<Advice>,
+    /// GGX at the smallest alpha, over all scenes and lights.
+    standings: Vec<Standing>,
+    studies: &'a [Study],
+    kernels: &'a Kernels,
 }
 
 /// Text for HTML, in elements and in quoted attributes.

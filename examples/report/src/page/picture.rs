@@ -70,6 +70,14 @@ impl Tone {
     }
 }
 
+/// A picture of numbers from 0, black, to 1, white, without a tone curve, as `data:image/png;base64,...`.
+pub(super) fn linear(size: Size, values: &[f64]) -> String {
+    // In 0 to 255: the cast only drops the fraction.
+    #[allow(clippy::cast_sign_loss)]
+    let grey: Vec<u8> = values.iter().map(|x| (255.0 * x.clamp(0.0, 1.0) + 0.5) as u8).collect();
+    format!("data:image/png;base64,{}", STANDARD.encode(encode(size.width, size.height, &grey)))
+}
+
 /// White pixels between the pictures of a strip.
 const GAP: usize = 8;
 

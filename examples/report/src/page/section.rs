@@ -68,7 +68,7 @@ fn heading(panel: &Panel) -> String {
 
 /// Size, what is judged, times and footprints of a scene.
 fn facts(study: &Study) -> String {
-    let footprints = study.disagreement.map_or(String::new(), |footprints| {
+    let footprints = study.disagreement.as_ref().map_or(String::new(), |footprints| {
         format!(
             " Footprints from quads differ from analytic ones by {:.0} % in the mean, {:.0} % in the median.",
             100.0 * footprints.mean,
@@ -258,6 +258,27 @@ pub(super) fn cover(study: &Study) -> Option<Vec<u8>> {
     Some(Tone::of(&reference).strip(study.size, &[&plain, &best, &reference]))
 }
 
+/// Where quads and analytic derivatives disagree: Kaplanyan et al. 2016, Fig. 7.
+fn footprints(study: &Study) -> String {
+    let Some(footprints) = &study.disagreement else { return String::new() };
+    let caption = "Footprints of 2 \u{d7} 2 differences against analytic ones: area of non-overlap over the larger \
+                   area; black is none, white all of it (Kaplanyan et al. 2016, Fig. 7)";
+    figure(study, caption, &picture::linear(study.size, &footprints.map))
+}
+
+/// A picture of a scene with its caption.
+fn figure(study: &Study, caption: &str, url: &str) -> String {
+    let scene = escape(&study.name);
+    // Whole multiples keep pixels square and of one size.
+    let zoom = (COLUMN / study.size.width).max(1);
+    format!(
+        "<figure><img alt=\"{scene}: {caption}\" width=\"{}\" height=\"{}\" src=\"{url}\">\
+         <figcaption>{caption}</figcaption></figure>\n",
+        zoom * study.size.width,
+        zoom * study.size.height,
+    )
+}
+
 /// Unfiltered, best, reference and the difference of the last two.
 fn pictures(study: &Study, panel: &Panel) -> String {
     let (Some([plain, filtered, reference]), Some(best)) =
@@ -266,31 +287,23 @@ fn pictures(study: &Study, panel: &Panel) -> String {
         return String::new();
     };
     let difference: Vec<_> = filtered.iter().zip(&reference).map(|(x, r)| (x - r).abs()).collect();
-    let (scene, name) = (escape(&study.name), escape(&best.name));
+    let name = escape(&best.name);
 
     let tone = Tone::of(&reference);
-    // Whole multiples keep pixels square and of one size.
-    let zoom = (COLUMN / study.size.width).max(1);
     let figures = [
         ("No filter, 1 sample per pixel".into(), &plain),
         (format!("Best filter, {name}, 1 sample per pixel"), &filtered),
         ("Reference".into(), &reference),
         (format!("|{name} \u{2212} reference|"), &difference),
     ];
-    let figures = figures.map(|(caption, values)| {
-        format!(
-            "<figure><img alt=\"{scene}: {caption}\" width=\"{}\" height=\"{}\" src=\"{}\">\
-             <figcaption>{caption}</figcaption></figure>\n",
-            zoom * study.size.width,
-            zoom * study.size.height,
-            tone.data_url(study.size, values),
-        )
-    });
+    let figures = figures
+        .map(|(caption, values)| figure(study, &caption, &tone.data_url(study.size, values)));
     format!(
-        "<div class=\"pictures\">\n{}</div>\n<p class=\"note\">{}, all four under the same tone curve, \
+        "<div class=\"pictures\">\n{}{}</div>\n<p class=\"note\">{}, the first four under the same tone curve, \
          1 \u{2212} exp(\u{2212}kx) in sRGB: the reference\u{2019}s 99th percentile, {} times its mean, \
          is {:.0} % of white.</p>\n",
         figures.concat(),
+        footprints(study),
         panel.distribution.name(),
         significant(tone.bright),
         100.0 * picture::WHITE,

@@ -44,7 +44,7 @@ fn quad_error(scene: &Scene<f64>, [x, y]: [f64; 2], h: f64) -> [f64; 2] {
     let (beside, below) = (scene.sample(x + h, y), scene.sample(x, y + h));
     let (here, beside, below) = (&here, &beside, &below);
     let quad = QuadPixel { here, beside, below, across: below }.narrowed_footprint();
-    let analytic = MovingPixel { here: &here, motions: &motions }.narrowed_footprint();
+    let analytic = MovingPixel { here, motions: &motions }.narrowed_footprint();
     let pairs = [(quad.u, analytic.u), (quad.v, analytic.v)];
     let error = pairs.map(|(q, a)| (q[0] / h - a[0]).abs().max((q[1] / h - a[1]).abs()));
     let [across, down] = analytic.extents();

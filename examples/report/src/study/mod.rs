@@ -3,13 +3,14 @@
 mod panel;
 
 use lobe::Error;
+use serde::Serialize;
 
 use crate::camera::Size;
 use crate::coverage;
-use crate::footprints::Disagreement;
+use crate::footprints::{Disagreement, counted};
 use crate::frontier::{Frontier, Point, pareto};
 use crate::light::LightKind;
-use crate::method::{Derivatives, Distribution, Method, Surfacing};
+use crate::method::{Derivatives, Distribution, Method, Surfacing, Tally};
 use crate::metric::{Errors, scale};
 use crate::reference::{Reference, References, Sampling, Target};
 use crate::render::{Pictures, render};
@@ -34,11 +35,13 @@ pub(crate) struct Effort {
 }
 
 /// A scene's results.
+#[derive(Serialize)]
 pub(crate) struct Study {
     pub(crate) name: String,
     pub(crate) caption: String,
     pub(crate) size: Size,
     /// The pixels that errors count, rows from the top.
+    #[serde(skip)]
     pub(crate) judged: Vec<bool>,
     /// Nanoseconds of geometry per sample.
     pub(crate) geometry: f64,
@@ -92,7 +95,10 @@ impl Study {
         let material = materials.first().ok_or(Error::Alpha)?;
         let timing =
             timing::measure(&distant.engine, size, &judged, material, &timed, effort.rounds);
-        let times: Vec<_> = methods.iter().map(|m| times_of(m, &timed, &timing)).collect();
+        let alpha = effort.alphas.first().copied().ok_or(Error::Alpha)?;
+        let counted = counted(&distant.engine, size, &judged, alpha)?;
+        let costs: Vec<_> =
+            methods.iter().map(|m| cost_of(m, &timed, &timing, m.count(&counted))).collect();
 
         let (mut panels, mut disagreement, mut reference_samples) = (Vec::new(), None, 0.0);
         for &light in &effort.lights {
@@ -108,7 +114,7 @@ impl Study {
                 disagreement = Disagreement::on(&lit.engine, size, &judged);
                 reference_samples = references.samples;
             }
-            let under = Under { light, alphas, methods, times: &times, judged: &judged };
+            let under = Under { light, alphas, methods, costs: &costs, judged: &judged };
             panels.extend(under.panels(&references, pictures, shown));
         }
         Ok(Self {
@@ -125,14 +131,15 @@ impl Study {
     }
 }
 
-/// Nanoseconds of a method: of shading per sample, and per pixel.
-struct Times {
+/// What a method costs: nanoseconds of shading per sample and per pixel, operations of shading.
+struct Cost {
     shading: f64,
     pixel: f64,
+    operations: Tally,
 }
 
 /// Of a method; supersampling repeats the plain shading of its distribution.
-fn times_of(method: &Method, timed: &[&Method], timing: &Timing) -> Times {
+fn cost_of(method: &Method, timed: &[&Method], timing: &Timing, operations: Tally) -> Cost {
     let same = |other: &&Method| {
         other.distribution == method.distribution
             && other.derivatives == method.derivatives
@@ -141,7 +148,7 @@ fn times_of(method: &Method, timed: &[&Method], timing: &Timing) -> Times {
     let shading = timed.iter().position(same).map_or(f64::NAN, |index| timing.shading[index]);
     let motion = if method.derivatives == Derivatives::Analytic { timing.motion } else { 0.0 };
     let pixel = f64::from(method.samples) * (timing.geometry + motion + shading);
-    Times { shading, pixel }
+    Cost { shading, pixel, operations }
 }
 
 /// What the panels under one light have in common.
@@ -149,7 +156,7 @@ struct Under<'a> {
     light: LightKind,
     alphas: &'a [f64],
     methods: &'a [Method],
-    times: &'a [Times],
+    costs: &'a [Cost],
     judged: &'a [bool],
 }
 
@@ -178,21 +185,23 @@ impl Under<'_> {
     ) -> Panel {
         let of_box = &reference.radiance[PixelWindow::Box as usize];
         let scale = scale(of_box, self.judged);
-        let methods = self.methods.iter().zip(self.times).zip(pictures);
+        let methods = self.methods.iter().zip(self.costs).zip(pictures);
         let mut rows: Vec<_> = methods
             .filter(|((method, _), _)| method.distribution == distribution)
-            .map(|((method, times), picture)| {
+            .map(|((method, cost), picture)| {
                 let against = |reference| Errors::of(picture, reference, self.judged, scale);
                 Row {
                     name: method.name.clone(),
                     family: method.family,
+                    derivatives: method.derivatives,
                     samples: method.samples,
                     filters: method.filters(),
                     window: method.window,
                     errors: against(&reference.radiance[method.window as usize]),
                     box_errors: against(of_box),
-                    shading: times.shading,
-                    pixel: times.pixel,
+                    shading: cost.shading,
+                    pixel: cost.pixel,
+                    operations: cost.operations,
                     pareto: false,
                     equal_samples: None,
                     speed_up: None,

@@ -1,15 +1,19 @@
 //! What came out: a row for every method, a panel for every light, alpha and distribution.
 
+use serde::Serialize;
+
 use crate::frontier::{Point, Price};
 use crate::light::LightKind;
-use crate::method::{Distribution, Family};
+use crate::method::{Derivatives, Distribution, Family, Tally};
 use crate::metric::Errors;
 use crate::window::{PerWindow, PixelWindow};
 
 /// One method's line of a table.
+#[derive(Serialize)]
 pub(crate) struct Row {
     pub(crate) name: String,
     pub(crate) family: Family,
+    pub(crate) derivatives: Derivatives,
     pub(crate) samples: u32,
     pub(crate) filters: bool,
     /// The pixel filter whose picture the method approximates.
@@ -22,6 +26,8 @@ pub(crate) struct Row {
     pub(crate) shading: f64,
     /// Nanoseconds per pixel: samples times geometry, motions if the method needs them, and shading.
     pub(crate) pixel: f64,
+    /// Operations of shading per sample, in the mean; of an isotropic material.
+    pub(crate) operations: Tally,
     /// No other method of the panel is both faster and nearer to its own reference.
     pub(crate) pareto: bool,
     /// Samples that plain supersampling needs for the same RMSE; of filters only.
@@ -29,6 +35,7 @@ pub(crate) struct Row {
     /// Its time over this method's, at the same RMSE; of filters only.
     pub(crate) speed_up: Option<Price>,
     /// Radiance, unscaled; in the panel that is shown.
+    #[serde(skip)]
     pub(crate) picture: Option<Vec<f32>>,
 }
 
@@ -40,6 +47,7 @@ impl Row {
 }
 
 /// All methods of one distribution on one scene under one light at one alpha.
+#[derive(Serialize)]
 pub(crate) struct Panel {
     pub(crate) light: LightKind,
     pub(crate) alpha: f64,
@@ -49,6 +57,7 @@ pub(crate) struct Panel {
     /// The references' standard errors on that scale.
     pub(crate) noise: PerWindow<f64>,
     /// The box reference, unscaled; in the panel that is shown.
+    #[serde(skip)]
     pub(crate) reference: Option<Vec<f64>>,
     pub(crate) rows: Vec<Row>,
 }
