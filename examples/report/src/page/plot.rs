@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::axis::{Axis, Scale, plain, spread};
 use super::escape;
 use crate::frontier::{Point, Price};
+use crate::method::Family;
 use crate::study::{Panel, Row};
 
 const WIDTH: f64 = 560.0;
@@ -131,11 +132,16 @@ fn gain(svg: &mut String, axes: &Axes, panel: &Panel) -> std::fmt::Result {
     )
 }
 
+/// Filters but for the engines', whose names would leave no room; they stand in the tables.
+fn is_drawn(row: &Row) -> bool {
+    row.filters && row.family != Family::Engine
+}
+
 /// The filters: a mark each, its name at the left.
 fn filters(svg: &mut String, axes: &Axes, panel: &Panel) -> std::fmt::Result {
     let best = panel.best().map(|row| &row.name);
     let mut rows: Vec<_> =
-        panel.rows.iter().filter(|row| row.filters && plottable(&row.point())).collect();
+        panel.rows.iter().filter(|row| is_drawn(row) && plottable(&row.point())).collect();
     rows.sort_by(|a, b| b.errors.rmse.total_cmp(&a.errors.rmse));
     let heights: Vec<_> = rows.iter().map(|row| axes.error.at(row.errors.rmse)).collect();
     let baselines = spread(&heights, LEADING, [TOP + 10.0, HEIGHT - BOTTOM - 8.0]);

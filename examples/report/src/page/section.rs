@@ -32,7 +32,8 @@ pub(super) fn html(study: &Study) -> String {
             .into_iter()
             .map(|warning| format!("<p class=\"note warning\">{}</p>\n", escape(&warning)));
         format!(
-            "<h3>{}</h3>\n{}<p class=\"note\">{}</p>\n{}<h4>Every method against the box pixel</h4>\n{}",
+            "<h3>{}</h3>\n<div class=\"wide\">{}</div>\n<p class=\"note\">{}</p>\n{}\
+             <details><summary>Every method against the box pixel</summary>\n{}</details>\n",
             heading(panel),
             table(panel).html(),
             noise(panel),
@@ -48,16 +49,21 @@ pub(super) fn html(study: &Study) -> String {
             noise(panel),
         )
     });
+    let rest = rest.collect::<Vec<_>>().concat();
+    let rest = if rest.is_empty() {
+        rest
+    } else {
+        format!("<details><summary>Other lights and alphas</summary>\n{rest}</details>\n")
+    };
     format!(
         "<h2>{}</h2>\n<p class=\"caption\">{} {}</p>\n\
-         <div class=\"plots\">\n{}</div>\n{}{}{}",
+         <div class=\"plots\">\n{}</div>\n{}{}{rest}",
         escape(&study.name),
         escape(&study.caption),
         escape(&facts(study)),
         plots.collect::<Vec<_>>().concat(),
-        tables.collect::<Vec<_>>().concat(),
         leading(study).iter().map(|panel| pictures(study, panel)).collect::<Vec<_>>().concat(),
-        rest.collect::<Vec<_>>().concat(),
+        tables.collect::<Vec<_>>().concat(),
     )
 }
 
@@ -113,7 +119,6 @@ fn table(panel: &Panel) -> Table {
         Line {
             cells: vec![
                 row.name.clone(),
-                row.samples.to_string(),
                 row.window.name().into(),
                 significant(errors.rmse),
                 significant(panel.noise_of(row)),
@@ -133,7 +138,6 @@ fn table(panel: &Panel) -> Table {
     Table {
         headers: &[
             "Method",
-            "Samples",
             "Pixel filter",
             "RMSE",
             "Noise",
@@ -159,7 +163,6 @@ fn box_table(panel: &Panel) -> Table {
         Line {
             cells: vec![
                 row.name.clone(),
-                row.samples.to_string(),
                 significant(errors.rmse),
                 significant(noise),
                 significant(errors.rel_mse),
@@ -170,7 +173,7 @@ fn box_table(panel: &Panel) -> Table {
             class: class(row, None),
         }
     });
-    let headers = &["Method", "Samples", "RMSE", "Noise", "relMSE", "SMAPE", "Energy", "Worst"];
+    let headers = &["Method", "RMSE", "Noise", "relMSE", "SMAPE", "Energy", "Worst"];
     Table { headers, rows: rows.collect() }
 }
 
