@@ -39,8 +39,8 @@
 //!   projected area, Lambda, G1, G2, visibility, the BRDF without Fresnel. Choose the shape the scene needs:
 //!   [`Isotropic`] costs what hand-written isotropic code costs, [`Full`] takes any anisotropy, [`Tilted`] any
 //!   mean.
-//! - [`filter`] has the rest: exact means over polygons, GGX under a Gaussian by quadrature, the papers' formulas
-//!   as printed, deferred filtering from normals.
+//! - [`filter`] has the rest: exact means over polygons, proxies with the right peak, filtering on the projected disk,
+//!   roughness for G-buffers, area lights, what engines ship, the papers' formulas as printed.
 //! - [`shade`] puts it together for a renderer that wants one call per light.
 //!
 //! # Notation
