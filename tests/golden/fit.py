@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fits the polynomials of src/scalar/{exp,ln,atan,erfc}.rs and prints them as Rust literals.
+"""Fits the polynomials of src/scalar/{exp,ln,atan,erfc}.rs and the factors of src/filter/proxy.rs, and prints them.
 
 Usage: python3 fit.py [name ...]      (all fits when no name is given)
 
@@ -9,6 +9,7 @@ the highest degree down, and the free ones are fitted again after each rounding.
 The printed error is that of the rounded polynomial in exact arithmetic.
 """
 
+import math
 import sys
 
 from mpmath import mp, mpf
@@ -250,7 +251,80 @@ def split(name, value, bits, head):
     print(f"const {name.upper()}: [{kind}; 2] = [{literal(first, bits)}, {literal(second, bits)}];")
 
 
+# --- the peak of GGX under a Gaussian: src/filter/proxy.rs -------------------
+
+
+def simplex(f, x, steps=1500):
+    """Nelder & Mead 1965, from x: the parameters with the smallest f found, all positive."""
+    points = [[abs(v) for v in x]] + [[abs(v) * (1.3 if i == k else 1) for i, v in enumerate(x)] for k in range(len(x))]
+    values = [f(p) for p in points]
+    for _ in range(steps):
+        order = sorted(range(len(points)), key=values.__getitem__)
+        points, values = [points[i] for i in order], [values[i] for i in order]
+        middle = [sum(c) / len(x) for c in zip(*points[:-1])]
+        def at(t):
+            p = [abs(m + t * (m - w)) for m, w in zip(middle, points[-1])]
+            return p, f(p)
+        trial = at(1)
+        if trial[1] < values[0]:
+            trial = min(trial, at(2), key=lambda t: t[1])
+        elif trial[1] >= values[-2]:
+            trial = at(-0.5)
+            if trial[1] >= values[-1]:
+                points[1:] = [[0.5 * (a + b) for a, b in zip(points[0], p)] for p in points[1:]]
+                values[1:] = [f(p) for p in points[1:]]
+                continue
+        points[-1], values[-1] = trial
+    return points[0], values[0]
+
+
+def round_factor(p, kappa):
+    s = math.sqrt(kappa)
+    return 1 + (1 + p[0] * s) / (1 + p[1] * s + p[2] * kappa + p[3] * kappa * s)
+
+
+def peak(major, minor):
+    """pi times the peak of the unit GGX under a Gaussian with K = diag(major, minor): trapezoid in ln t."""
+    total, step = 0.0, 0.05
+    for n in range(-900, 84):
+        t = math.exp(n * step)
+        total += t * t * math.exp(-t) / math.sqrt((1 + major * t) * (1 + minor * t)) * step
+    return total
+
+
+def fit_peak_round(name):
+    """The factor t of A + tK for isotropic A and K = kappa A, kappa 1e-4 to 1e4: error of alpha'^2."""
+    kappas = [10 ** (-4 + 8 * n / 200) for n in range(201)]
+    factors = [float(1 / (1 - x * mp.exp(x) * mp.e1(x)) - x) for x in (1 / mpf(k) for k in kappas)]
+    def error(p):
+        pairs = zip(kappas, factors)
+        return max(abs(k * (round_factor(p, k) - t) / (1 + k * t)) for k, t in pairs)
+    found = min((simplex(error, [0.5 * c, c, 0.5 * c, 0.1 * c]) for c in (1, 1.4, 2, 3)), key=lambda r: r[1])
+    print(f"// {name}: {[float(f'{v:.5g}') for v in found[0]]}, error of alpha'^2 {found[1]:.2g}")
+
+
+def fit_peak_long(name):
+    """What kernels long against the lobe add to it, major axis 1e-3 to 1e5: error of the peak."""
+    shapes = [(10 ** (-3 + 8 * n / 24), r) for n in range(25)
+              for r in (0, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 0.03, 0.1, 0.2, 0.4, 0.7, 1)]
+    rows = [(a, a * r, peak(a, a * r)) for a, r in shapes]
+    def error(p):
+        worst = 0.0
+        for major, minor, exact in rows:
+            kappa, det = 0.5 * (major + minor), major * minor
+            line = max(0.0, 1 - det / kappa**2)
+            long = p[0] * kappa / (1 + p[1] * math.sqrt(kappa) + p[0] * kappa)
+            t = round_factor((1.5226, 1.5377, 2.508, 0.22979), kappa)
+            t += (4 / math.pi - 1) * line * long / (1 + p[2] * 0.5 * det / kappa)
+            worst = max(worst, abs(1 / math.sqrt((1 + t * major) * (1 + t * minor)) / exact - 1))
+        return worst
+    found = min((simplex(error, [0.5 * c, 0.5 * c, c], 400) for c in (0.3, 0.7, 1.1)), key=lambda r: r[1])
+    print(f"// {name}: {[float(f'{v:.4g}') for v in found[0]]}, error of the peak {found[1]:.3g}")
+
+
 FITS = {
+    "peak_round": fit_peak_round,
+    "peak_long": fit_peak_long,
     "ln_two_f32": lambda n: split(n, mp.ln(2), SINGLE, 15),
     "ln_two_f64": lambda n: split(n, mp.ln(2), DOUBLE, 32),
     "half_pi_f32": lambda n: split(n, mp.pi / 2, SINGLE, SINGLE),
