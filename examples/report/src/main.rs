@@ -21,6 +21,7 @@ mod reference;
 mod render;
 mod scalar;
 mod scene;
+mod sequence;
 mod study;
 mod texture;
 mod timing;
@@ -39,7 +40,8 @@ use kernels::Kernels;
 use options::{Mistake, Options, Scenes};
 use output::Output;
 use page::Report;
-use scene::{NormalMap, Subject, carried_maps};
+use scene::{Movement, NormalMap, Subject, carried_maps};
+use sequence::{Plan, Sequence};
 use study::Study;
 use texture::Texture;
 
@@ -57,11 +59,15 @@ fn main() -> ExitCode {
 fn run(options: &Options) -> Result<(), Mistake> {
     let effort = options.effort();
     let size = Size::of_width(effort.width);
-    let subjects = subjects(options, size)?;
+    let maps = maps(options)?;
+    let subjects = subjects(options, size, &maps);
+    let plan = options.plan();
+    let moving = moving(options, Size::of_width(plan.width), &maps);
     let output = Output::prepare(&options.out)?;
 
     let methods = method::all();
-    let bar = ProgressBar::new(subjects.len() as u64 * study::steps(size, methods.len(), &effort));
+    let steps = subjects.len() as u64 * study::steps(size, methods.len(), &effort);
+    let bar = ProgressBar::new(steps + moving.len() as u64 * plan.steps());
     if let Ok(style) = ProgressStyle::with_template("{msg:24} {wide_bar} {percent:>3} %  {eta}") {
         bar.set_style(style);
     }
@@ -73,6 +79,14 @@ fn run(options: &Options) -> Result<(), Mistake> {
             .map_err(|error| Mistake(format!("--alpha: {error}")))?;
         bar.suspend(|| print(&page::text(&study)));
         report.studies.push(study);
+    }
+    let shown = Plan::methods(method::all());
+    for (subject, movement) in moving {
+        bar.set_message(format!("{} in motion", subject.name));
+        let sequence = Sequence::run(&subject, movement, &shown, &plan, &|steps| bar.inc(steps))
+            .map_err(|error| Mistake(format!("--alpha: {error}")))?;
+        bar.suspend(|| print(&page::sequence_text(&sequence)));
+        report.sequences.push(sequence);
     }
     bar.finish_and_clear();
     print(&report.kernels_text());
@@ -89,14 +103,33 @@ fn print(text: &str) {
     let _ = std::io::stdout().write_all(text.as_bytes());
 }
 
-/// The scenes asked for, their maps read and decoded.
-fn subjects(options: &Options, size: Size) -> Result<Vec<Subject>, Mistake> {
+/// The maps of the scenes asked for, read and decoded.
+fn maps(options: &Options) -> Result<Vec<NormalMap>, Mistake> {
     let asked = |scene: Scenes| options.scene.include(scene);
-    let maps = match &options.normal_map {
-        _ if !asked(Scenes::Plane) && !asked(Scenes::MappedSphere) => Vec::new(),
-        Some(path) => vec![normal_map(path)?],
-        None => carried_maps(!options.quick).map_err(Mistake)?,
-    };
+    match &options.normal_map {
+        _ if !asked(Scenes::Plane) && !asked(Scenes::MappedSphere) => Ok(Vec::new()),
+        Some(path) => Ok(vec![normal_map(path)?]),
+        None => carried_maps(!options.quick).map_err(Mistake),
+    }
+}
+
+/// The scenes asked for that are shown in motion, and how they move.
+fn moving(options: &Options, size: Size, maps: &[NormalMap]) -> Vec<(Subject, Movement)> {
+    let mut moving = Vec::new();
+    if let Some(map) = maps.first()
+        && options.scene.include(Scenes::MappedSphere)
+    {
+        moving.push((Subject::mapped_ball(size, map), Movement::Turn));
+    }
+    if options.scene.include(Scenes::Water) {
+        moving.push((Subject::water(size), Movement::Pan));
+    }
+    moving
+}
+
+/// The scenes asked for.
+fn subjects(options: &Options, size: Size, maps: &[NormalMap]) -> Vec<Subject> {
+    let asked = |scene: Scenes| options.scene.include(scene);
     let mut subjects = Vec::new();
     let mut add = |scene: Scenes, make: &dyn Fn() -> Vec<Subject>| {
         if asked(scene) {
@@ -110,7 +143,7 @@ fn subjects(options: &Options, size: Size) -> Result<Vec<Subject>, Mistake> {
     add(Scenes::MappedSphere, &|| maps.iter().map(|map| Subject::mapped_ball(size, map)).collect());
     add(Scenes::Strip, &|| vec![Subject::strips(size)]);
     add(Scenes::Disc, &|| vec![Subject::disc(size)]);
-    Ok(subjects)
+    subjects
 }
 
 /// A user's normal map.

@@ -8,16 +8,19 @@ mod picture;
 mod plot;
 mod proxy;
 mod section;
+mod sequence;
 mod table;
 
 use crate::kernels::Kernels;
 use crate::method::{Distribution, Method};
+use crate::sequence::Sequence;
 use crate::study::{Effort, Panel, Row, Study};
 use crate::timing;
 use section::{equal_samples, equal_time};
 use table::{Line, Table, significant};
 
 pub(crate) use section::text;
+pub(crate) use sequence::text as sequence_text;
 
 /// Everything the page shows.
 pub(crate) struct Report {
@@ -25,11 +28,18 @@ pub(crate) struct Report {
     processor: String,
     pub(crate) kernels: Kernels,
     pub(crate) studies: Vec<Study>,
+    pub(crate) sequences: Vec<Sequence>,
 }
 
 impl Report {
     pub(crate) fn new(effort: Effort, kernels: Kernels) -> Self {
-        Self { effort, processor: timing::processor(), kernels, studies: Vec::new() }
+        Self {
+            effort,
+            processor: timing::processor(),
+            kernels,
+            studies: Vec::new(),
+            sequences: Vec::new(),
+        }
     }
 
     /// The filters without a renderer, as text.
@@ -76,11 +86,12 @@ impl Report {
              <p class=\"lead\">Specular filters at one sample per pixel against plain supersampling, \
              plots at alpha = {}. The large number is how much longer supersampling takes to reach the best \
              filter\u{2019}s error.</p>\n\
-             {}{}{}{}</body>\n</html>\n",
+             {}{}{}{}{}</body>\n</html>\n",
             include_str!("style.css"),
             self.effort.alphas.first().copied().unwrap_or_default(),
             self.summary(),
             sections.concat(),
+            sequence::html(&self.sequences),
             kernels::html(&self.kernels),
             self.explanation(methods),
         )
