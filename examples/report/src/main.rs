@@ -40,7 +40,7 @@ use kernels::Kernels;
 use options::{Mistake, Options, Scenes};
 use output::Output;
 use page::Report;
-use scene::{Movement, NormalMap, Subject, carried_maps};
+use scene::{Movement, NormalMap, Subject, carried_maps, restless_map};
 use sequence::{Plan, Sequence};
 use study::Study;
 use texture::Texture;
@@ -62,7 +62,7 @@ fn run(options: &Options) -> Result<(), Mistake> {
     let maps = maps(options)?;
     let subjects = subjects(options, size, &maps);
     let plan = options.plan();
-    let moving = moving(options, Size::of_width(plan.width), &maps);
+    let moving = moving(options, Size::of_width(plan.width), &maps)?;
     let output = Output::prepare(&options.out)?;
 
     let methods = method::all();
@@ -113,18 +113,24 @@ fn maps(options: &Options) -> Result<Vec<NormalMap>, Mistake> {
     }
 }
 
-/// The scenes asked for that are shown in motion, and how they move.
-fn moving(options: &Options, size: Size, maps: &[NormalMap]) -> Vec<(Subject, Movement)> {
+/// The scenes asked for that are shown in motion, and how they move; a user's map on the ball that turns.
+fn moving(
+    options: &Options,
+    size: Size,
+    maps: &[NormalMap],
+) -> Result<Vec<(Subject, Movement)>, Mistake> {
     let mut moving = Vec::new();
-    if let Some(map) = maps.first()
-        && options.scene.include(Scenes::MappedSphere)
-    {
-        moving.push((Subject::mapped_ball(size, map), Movement::Turn));
+    if options.scene.include(Scenes::MappedSphere) {
+        let ball = match (&options.normal_map, maps) {
+            (Some(_), [map, ..]) => Subject::mapped_ball(size, map),
+            _ => Subject::mapped_ball(size, &restless_map().map_err(Mistake)?),
+        };
+        moving.push((ball, Movement::Turn));
     }
     if options.scene.include(Scenes::Water) {
         moving.push((Subject::water(size), Movement::Pan));
     }
-    moving
+    Ok(moving)
 }
 
 /// The scenes asked for.

@@ -140,7 +140,7 @@ impl Options {
         };
         Effort {
             width: self.size.unwrap_or(width),
-            sampling: Sampling { samples },
+            sampling: Sampling::of_still(samples),
             rounds,
             lights,
             alphas: self.alpha.map_or(ALPHAS[..count].into(), |alpha| vec![alpha]),
@@ -149,12 +149,12 @@ impl Options {
 
     /// How sequences are taken: under the first light, at the smallest alpha, in pictures no wider than asked for.
     pub(crate) fn plan(&self) -> Plan {
-        let (width, frames) = if self.quick { (96, 20) } else { (160, 60) };
+        let (width, frames) = if self.quick { (96, 16) } else { (144, 60) };
         Plan {
             width: self.size.map_or(width, |asked| asked.min(width)),
             frames,
             step: STEP,
-            sampling: Sampling { samples: 320 },
+            sampling: Sampling::of_frame(128),
             light: if self.light == Some(Lights::Point) {
                 LightKind::Point
             } else {

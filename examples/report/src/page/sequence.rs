@@ -140,6 +140,11 @@ fn chart(
 /// Factor between the outermost values and the frame.
 const ROOM: f64 = 1.15;
 
+/// How high the half vector stands where a method is worst.
+fn degrees(track: &Track) -> String {
+    format!("{:.1}\u{b0}", track.worst.elevation)
+}
+
 /// Every method, the steadiest first.
 fn table(sequence: &Sequence) -> Table {
     let best = sequence.best().map(|track| &track.method);
@@ -155,6 +160,8 @@ fn table(sequence: &Sequence) -> Table {
             significant(track.noise),
             significant(track.peak_ratio),
             significant(track.jump_ratio),
+            significant(track.worst.error),
+            degrees(track),
         ],
         class: match track.filters {
             true if Some(&track.method) == best => "best",
@@ -171,6 +178,8 @@ fn table(sequence: &Sequence) -> Table {
         "Noise",
         "Peak ratio",
         "Jump ratio",
+        "Worst",
+        "Half vector",
     ];
     Table { headers, rows: rows.collect() }
 }
@@ -181,7 +190,8 @@ fn noise(sequence: &Sequence) -> String {
     format!(
         "Deviation: standard deviation of x \u{2212} r over all frames and pixels. Peak ratio: mean over frames of the \
          largest radiance over the reference\u{2019}s. Jump ratio: the largest change of that peak from one frame to the \
-         next over the reference\u{2019}s largest. Noise: the reference\u{2019}s own standard error, {:.1} % of the best \
+         next over the reference\u{2019}s largest. Worst: largest |x \u{2212} r|, and how high the half vector stands over \
+         the surface there. Noise: the reference\u{2019}s own standard error, {:.1} % of the best \
          filter\u{2019}s flicker and at most {largest:.1} % of any method\u{2019}s.",
         sequence.best().map_or(f64::NAN, part),
     )
@@ -216,13 +226,14 @@ fn finding(sequence: &Sequence) -> String {
         significant(best.peak_ratio),
         significant(best.jump_ratio),
     );
-    let restless: Vec<_> = sequence
-        .tracks
-        .iter()
-        .filter(|track| track.filters && track.flicker > plain.flicker)
-        .map(|track| track.method.as_str())
+    let restless =
+        sequence.tracks.iter().filter(|track| track.filters && track.flicker > plain.flicker);
+    let named: Vec<_> = restless
+        .map(|track| {
+            format!("{} (worst where the half vector is {} high)", track.method, degrees(track))
+        })
         .collect();
-    let restless = match restless.as_slice() {
+    let restless = match named.as_slice() {
         [] => String::new(),
         names => format!(" More than without a filter flickers: {}.", names.join("; ")),
     };

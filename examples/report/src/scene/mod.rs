@@ -25,7 +25,7 @@ use crate::vector::{add, along, dot, scaled, sub, tangential};
 use surface::{Hit, Shape, Surface, on_shape};
 
 pub(crate) use disc::ACROSS;
-pub(crate) use map::{NormalMap, carried_maps};
+pub(crate) use map::{NormalMap, carried_maps, restless_map};
 pub(crate) use movement::Movement;
 pub(crate) use subject::Subject;
 

@@ -166,8 +166,15 @@ impl Sequence {
             peaks: sums.peaks[window as usize].iter().map(|peak| peak * scale).collect(),
             noise: scale * (sums.squares[window as usize] / frames).sqrt(),
         });
+        let width = subject.size.width;
+        let elevation = |frame: usize, pixel: usize| {
+            let scene = subject.lit_after(plan.light, movement, plan.shift(frame)).exact;
+            let [x, y] = [pixel % width, pixel / width].map(|corner| corner as f64 + 0.5);
+            scene.sample(x, y).half[2].asin().to_degrees()
+        };
         let tracks = methods.iter().zip(&sums.tallies).map(|(method, tally)| {
-            Track::new(method, tally, scale, &references[method.window as usize])
+            let reference = &references[method.window as usize];
+            Track::new(method, tally, scale, reference, elevation)
         });
         let tracks = tracks.collect();
         Self {
@@ -176,7 +183,7 @@ impl Sequence {
             movement,
             light: plan.light.name(),
             alpha: plan.alpha,
-            width: subject.size.width,
+            width,
             height: subject.size.height,
             frames: plan.frames,
             step: plan.step,

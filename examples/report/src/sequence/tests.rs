@@ -5,17 +5,16 @@ use crate::camera::Size;
 use crate::light::LightKind;
 use crate::method;
 use crate::reference::Sampling;
-use crate::scene::{Movement, Subject, carried_maps};
+use crate::scene::{Movement, Subject, restless_map};
 
 fn plan(step: f64, frames: usize) -> Plan {
-    let (sampling, light) = (Sampling { samples: 320 }, LightKind::Distant);
+    let (sampling, light) = (Sampling::of_frame(128), LightKind::Distant);
     Plan { width: 64, frames, step, sampling, light, alpha: 0.01 }
 }
 
 /// The ball that turns and the water that passes by.
 fn both(plan: &Plan) -> [Sequence; 2] {
     let size = Size::of_width(plan.width);
-    let maps = carried_maps(true).unwrap();
     let subjects = [
         (
             Subject::mapped_ball(
@@ -51,12 +50,6 @@ fn the_exact_parallelogram_flickers_less_than_no_filter_and_its_peak_is_nearer_t
     for sequence in both(&plan(0.23, 16)) {
         let find = |name: &str| sequence.tracks.iter().find(|t| t.method == name).unwrap();
         let [none, exact] = ["none (1 sample)", "exact parallelogram"].map(find);
-        for t in &sequence.tracks {
-            println!(
-                "{:40} {:10.4} {:10.4} {:10.4} {:10.4} {:10.4}",
-                t.method, t.flicker, t.deviation, t.peak_ratio, t.jump_ratio, t.noise
-            );
-        }
         assert!(exact.flicker < none.flicker, "{}", sequence.name);
         let stray = |track: &Track| {
             let right = &sequence.reference_of(track).unwrap().peaks;

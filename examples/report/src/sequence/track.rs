@@ -25,10 +25,31 @@ pub(crate) struct Track {
     pub(crate) jump_ratio: f64,
     /// Standard error of its reference.
     pub(crate) noise: f64,
+    /// Where it is farthest from its reference.
+    pub(crate) worst: Worst,
+}
+
+/// The pixel and the frame with the largest error, both counted from 0.
+#[derive(Clone, Copy, Default, Serialize)]
+pub(crate) struct Worst {
+    /// |x - r|.
+    pub(crate) error: f64,
+    pub(crate) frame: usize,
+    pub(crate) pixel: usize,
+    /// Degrees of the half vector over the shaded surface.
+    pub(crate) elevation: f64,
 }
 
 impl Track {
-    pub(super) fn new(method: &Method, tally: &Tally, scale: f64, reference: &Converged) -> Self {
+    /// `elevation` tells how high the half vector stands, in degrees, in a frame and pixel.
+    pub(super) fn new(
+        method: &Method,
+        tally: &Tally,
+        scale: f64,
+        reference: &Converged,
+        elevation: impl Fn(usize, usize) -> f64,
+    ) -> Self {
+        let Worst { error, frame, pixel, .. } = tally.worst;
         let peaks: Vec<_> = tally.peaks.iter().map(|peak| peak * scale).collect();
         let ratios = peaks.iter().zip(&reference.peaks).map(|(peak, right)| peak / right);
         Self {
@@ -42,6 +63,11 @@ impl Track {
             jump_ratio: largest_jump(&peaks) / largest_jump(&reference.peaks),
             peaks,
             noise: reference.noise,
+            worst: Worst {
+                error: scale * error,
+                elevation: elevation(frame, pixel),
+                ..tally.worst
+            },
         }
     }
 }
@@ -76,31 +102,43 @@ impl Moments {
 
 /// What is summed up of a method frame by frame, not yet scaled.
 pub(super) struct Tally {
-    frames: f64,
+    frames: usize,
     peaks: Vec<f64>,
+    /// Without its elevation.
+    worst: Worst,
     /// Of x - r at each pixel, in the frames in which it was judged.
     pixels: Vec<Moments>,
 }
 
 impl Tally {
     pub(super) fn new(pixels: usize) -> Self {
-        Self { frames: 0.0, peaks: Vec::new(), pixels: vec![Moments::default(); pixels] }
+        Self {
+            frames: 0,
+            peaks: Vec::new(),
+            worst: Worst::default(),
+            pixels: vec![Moments::default(); pixels],
+        }
     }
 
     /// Adds a frame.
     pub(super) fn push(&mut self, picture: &[f32], reference: &[f64], judged: &[bool]) {
-        self.frames += 1.0;
         self.peaks.push(peak(picture.iter().map(|&x| f64::from(x)), judged));
         let values = picture.iter().zip(reference).map(|(&x, r)| f64::from(x) - r);
-        let pixels = self.pixels.iter_mut().zip(values).zip(judged);
-        for ((pixel, value), _) in pixels.filter(|(_, judged)| **judged) {
-            pixel.push(value);
+        let pixels = self.pixels.iter_mut().zip(values).enumerate().zip(judged);
+        for ((pixel, (moments, value)), _) in pixels.filter(|(_, judged)| **judged) {
+            moments.push(value);
+            if value.abs() > self.worst.error {
+                let (error, frame) = (value.abs(), self.frames);
+                self.worst = Worst { error, frame, pixel, ..self.worst };
+            }
         }
+        self.frames += 1;
     }
 
     /// Over the pixels that were judged in every frame.
     fn flicker(&self) -> f64 {
-        let always = self.pixels.iter().filter(|pixel| pixel.count == self.frames);
+        let frames = self.frames as f64;
+        let always = self.pixels.iter().filter(|pixel| pixel.count == frames);
         let (sum, count) = always.fold((0.0, 0.0), |(sum, count), pixel| {
             (sum + pixel.squares / pixel.count, count + 1.0)
         });
@@ -131,6 +169,7 @@ mod tests {
         assert!((tally.flicker() - 0.5_f64.sqrt()).abs() < 1e-15);
         // Of 1, 3, 1, 1, 6 the mean is 2.4, the variance (1.96 * 3 + 0.36 + 12.96) / 5.
         assert!((tally.deviation() - (19.2_f64 / 5.0).sqrt()).abs() < 1e-15);
+        assert_eq!((tally.worst.error, tally.worst.frame, tally.worst.pixel), (6.0, 0, 2));
         assert_eq!(largest_jump(&[3.0, 1.0, 6.0, 5.0]), 5.0);
     }
 
