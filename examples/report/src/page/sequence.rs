@@ -52,7 +52,7 @@ pub(crate) fn text(sequence: &Sequence) -> String {
 fn title(sequence: &Sequence) -> String {
     let movement = match sequence.movement {
         Movement::Turn => "turning",
-        Movement::Pan => "pan",
+        Movement::Pan => "passing by",
     };
     format!("{}, {movement}", sequence.name)
 }
@@ -89,7 +89,11 @@ fn peaks(sequence: &Sequence) -> Chart {
     let references = sequence.references.iter().filter(|reference| held(reference.window));
     let references = references.enumerate().map(|(index, reference)| {
         let class = ["truth", "truth second", "truth third"][index.min(2)];
-        curve(format!("reference, {}", reference.window), class.into(), reference.peaks.iter())
+        let name = match reference.window.strip_prefix("Gaussian ") {
+            Some(variance) => format!("reference, {variance}"),
+            None => "reference".into(),
+        };
+        curve(name, class.into(), reference.peaks.iter())
     });
     chart(sequence, "largest radiance", None, methods.chain(references).collect())
 }
@@ -118,7 +122,7 @@ fn chart(
     lines: Vec<Curved>,
 ) -> Chart {
     let values = lines.iter().flat_map(|line| line.points.iter().map(|point| point[1]));
-    let positive = values.filter(|value| *value > 0.0).chain(right);
+    let positive = values.filter(|value| *value > 0.0 && value.is_finite()).chain(right);
     let (low, high) = positive
         .fold((f64::INFINITY, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
     // A frame without any light has no logarithm; nor has a sequence of such frames.
@@ -192,8 +196,9 @@ fn noise(sequence: &Sequence) -> String {
          largest radiance over the reference\u{2019}s. Jump ratio: the largest change of that peak from one frame to the \
          next over the reference\u{2019}s largest. Worst: largest |x \u{2212} r|, and how high the half vector stands over \
          the surface there. Noise: the reference\u{2019}s own standard error, {:.1} % of the best \
-         filter\u{2019}s flicker and at most {largest:.1} % of any method\u{2019}s.",
-        sequence.best().map_or(f64::NAN, part),
+         filter\u{2019}s flicker and at most {} % of any method\u{2019}s.",
+        significant(sequence.best().map_or(f64::NAN, part)),
+        significant(largest),
     )
 }
 
@@ -202,27 +207,20 @@ fn finding(sequence: &Sequence) -> String {
     let (Some(plain), Some(best)) = (sequence.plain(), sequence.best()) else {
         return String::new();
     };
-    let many = sequence.tracks.iter().filter(|track| !track.filters);
-    let worse = many.clone().filter(|track| track.flicker > best.flicker).map(|t| t.samples).max();
-    let better = many.filter(|track| track.flicker <= best.flicker).map(|t| t.samples).min();
-    let worth = match (worse, better) {
-        (Some(worse), Some(better)) => {
-            format!("less than {} and more than {}", samples(worse), samples(better))
-        }
-        (Some(worse), None) => format!("less than {}", samples(worse)),
-        (None, _) => "more than one sample".into(),
-    };
+    let many = sequence.tracks.iter().filter(|track| !track.filters && track.samples > 1);
+    let many = many.map(|t| format!(", {} with {} samples", significant(t.flicker), t.samples));
     let unfiltered = format!(
         "Without a filter the peak is {} times the reference\u{2019}s in the mean and jumps {} times as far.",
         significant(plain.peak_ratio),
         significant(plain.jump_ratio),
     );
     let filtered = format!(
-        "Of the filters {} flickers least: {} against {} without one, {worth} per pixel; its peak is {} times the \
+        "Of the filters {} flickers least: {}, against {} without one{}; its peak is {} times the \
          reference\u{2019}s and jumps {} times as far.",
         best.method,
         significant(best.flicker),
         significant(plain.flicker),
+        many.collect::<Vec<_>>().concat(),
         significant(best.peak_ratio),
         significant(best.jump_ratio),
     );
@@ -238,8 +236,4 @@ fn finding(sequence: &Sequence) -> String {
         names => format!(" More than without a filter flickers: {}.", names.join("; ")),
     };
     format!("{unfiltered} {filtered}{restless}")
-}
-
-fn samples(count: u32) -> String {
-    if count == 1 { "1 sample".into() } else { format!("{count} samples") }
 }
