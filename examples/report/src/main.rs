@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release -p lobe-report -- --help`. The way of the data: a `scene` gives samples, a
 //! `method` shades them, `reference` is what they should have given, `metric` and `timing` put numbers
-//! on both, `study` collects a scene's, `sequence` those of a scene
-//! in motion, `page` shows them. `kernels` judges filters of GGX without any scene.
+//! on both, `study` collects a scene's, `sequence` those of a scene in motion, `page` shows them. `kernels`
+//! judges filters of GGX without any scene.
 
 mod camera;
 mod coverage;

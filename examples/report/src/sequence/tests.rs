@@ -16,13 +16,7 @@ fn plan(step: f64, frames: usize) -> Plan {
 fn both(plan: &Plan) -> [Sequence; 2] {
     let size = Size::of_width(plan.width);
     let subjects = [
-        (
-            Subject::mapped_ball(
-                size,
-                &maps[std::env::var("MAP").map_or(0, |m| m.parse().unwrap())],
-            ),
-            Movement::Turn,
-        ),
+        (Subject::mapped_ball(size, &restless_map().unwrap()), Movement::Turn),
         (Subject::water(size), Movement::Pan),
     ];
     let methods = Plan::methods(method::all());
