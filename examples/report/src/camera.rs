@@ -4,7 +4,7 @@ use lobe::slope::direction::normalize;
 use serde::Serialize;
 
 use crate::scalar::Scalar;
-use crate::vector::{Vector, along, cast, cross, scaled, sub};
+use crate::vector::{Vector, add, along, cast, cross, scaled, sub, turned};
 
 /// A picture's size in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -75,6 +75,29 @@ impl Camera<f64> {
         let corner = along(forward, -0.5 * size.width as f64, right);
         let corner = along(corner, -0.5 * size.height as f64, down);
         Self { eye, corner, right, down }
+    }
+
+    /// The same elsewhere.
+    pub(crate) fn moved(&self, step: Vector<f64>) -> Self {
+        Self { eye: add(self.eye, step), ..self.clone() }
+    }
+
+    /// The same, turned about the world's z axis.
+    pub(crate) fn turned(&self, angle: f64) -> Self {
+        let [eye, corner, right, down] =
+            [self.eye, self.corner, self.right, self.down].map(|v| turned(v, angle));
+        Self { eye, corner, right, down }
+    }
+
+    /// Where on the picture a point in front of the camera is seen.
+    #[cfg(test)]
+    pub(crate) fn place(&self, point: Vector<f64>) -> [f64; 2] {
+        use crate::vector::dot;
+        // Three vectors whose mixture is the ray: `forward` is perpendicular to the other two.
+        let (ray, forward) = (sub(point, self.eye), cross(self.down, self.right));
+        let ray = scaled(dot(self.corner, forward) / dot(ray, forward), ray);
+        let offset = sub(ray, self.corner);
+        [self.right, self.down].map(|axis| dot(offset, axis) / dot(axis, axis))
     }
 
     /// The same in another precision.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::scalar::Scalar;
-use crate::vector::{Vector, along, cast, dot, scaled, sub, tangential};
+use crate::vector::{Vector, along, cast, dot, scaled, sub, tangential, turned};
 
 /// Which of a scene's two lights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -48,6 +48,16 @@ impl Light<f64> {
     /// there.
     pub(crate) fn point(target: Vector<f64>, towards: Vector<f64>, distance: f64) -> Self {
         Self::Point { position: along(target, distance, towards), power: distance * distance }
+    }
+
+    /// The same, turned about the world's z axis.
+    pub(crate) fn turned(&self, angle: f64) -> Self {
+        match *self {
+            Self::Distant(direction) => Self::Distant(turned(direction, angle)),
+            Self::Point { position, power } => {
+                Self::Point { position: turned(position, angle), power }
+            }
+        }
     }
 
     /// The same in another precision.

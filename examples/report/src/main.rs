@@ -2,7 +2,8 @@
 //!
 //! `cargo run --release -p lobe-report -- --help`. The way of the data: a `scene` gives samples, a
 //! `method` shades them, `reference` is what they should have given, `metric` and `timing` put numbers
-//! on both, `study` collects a scene's, `page` shows them. `kernels` judges filters of GGX without any scene.
+//! on both, `study` collects a scene's, `sequence` those of a scene in motion, `page` shows them. `kernels`
+//! judges filters of GGX without any scene.
 
 mod camera;
 mod coverage;
@@ -22,6 +23,7 @@ mod reference;
 mod render;
 mod scalar;
 mod scene;
+mod sequence;
 mod standing;
 mod study;
 mod texture;
@@ -41,7 +43,8 @@ use kernels::Kernels;
 use options::{Mistake, Options, Scenes};
 use output::Output;
 use page::Report;
-use scene::{NormalMap, Subject, carried_maps};
+use scene::{Movement, NormalMap, Subject, carried_maps, restless_map};
+use sequence::{Plan, Sequence};
 use study::Study;
 use texture::Texture;
 
@@ -59,11 +62,15 @@ fn main() -> ExitCode {
 fn run(options: &Options) -> Result<(), Mistake> {
     let effort = options.effort();
     let size = Size::of_width(effort.width);
-    let subjects = subjects(options, size)?;
+    let maps = maps(options)?;
+    let subjects = subjects(options, size, &maps);
+    let plan = options.plan();
+    let moving = moving(options, Size::of_width(plan.width), &maps)?;
     let output = Output::prepare(&options.out)?;
 
     let methods = method::all();
-    let bar = ProgressBar::new(subjects.len() as u64 * study::steps(size, methods.len(), &effort));
+    let steps = subjects.len() as u64 * study::steps(size, methods.len(), &effort);
+    let bar = ProgressBar::new(steps + moving.len() as u64 * plan.steps());
     if let Ok(style) = ProgressStyle::with_template("{msg:24} {wide_bar} {percent:>3} %  {eta}") {
         bar.set_style(style);
     }
@@ -75,6 +82,14 @@ fn run(options: &Options) -> Result<(), Mistake> {
             .map_err(|error| Mistake(format!("--alpha: {error}")))?;
         bar.suspend(|| print(&page::text(&study)));
         report.studies.push(study);
+    }
+    let shown = Plan::methods(method::all());
+    for (subject, movement) in moving {
+        bar.set_message(format!("{} in motion", subject.name));
+        let sequence = Sequence::run(&subject, movement, &shown, &plan, &|steps| bar.inc(steps))
+            .map_err(|error| Mistake(format!("--alpha: {error}")))?;
+        bar.suspend(|| print(&page::sequence_text(&sequence)));
+        report.sequences.push(sequence);
     }
     bar.finish_and_clear();
     print(&report.kernels_text());
@@ -93,14 +108,39 @@ fn print(text: &str) {
     let _ = std::io::stdout().write_all(text.as_bytes());
 }
 
-/// The scenes asked for, their maps read and decoded.
-fn subjects(options: &Options, size: Size) -> Result<Vec<Subject>, Mistake> {
+/// The maps of the scenes asked for, read and decoded.
+fn maps(options: &Options) -> Result<Vec<NormalMap>, Mistake> {
     let asked = |scene: Scenes| options.scene.include(scene);
-    let maps = match &options.normal_map {
-        _ if !asked(Scenes::Plane) && !asked(Scenes::MappedSphere) => Vec::new(),
-        Some(path) => vec![normal_map(path)?],
-        None => carried_maps(!options.quick).map_err(Mistake)?,
-    };
+    match &options.normal_map {
+        _ if !asked(Scenes::Plane) && !asked(Scenes::MappedSphere) => Ok(Vec::new()),
+        Some(path) => Ok(vec![normal_map(path)?]),
+        None => carried_maps(!options.quick).map_err(Mistake),
+    }
+}
+
+/// The scenes asked for that are shown in motion, and how they move; a user's map on the ball that turns.
+fn moving(
+    options: &Options,
+    size: Size,
+    maps: &[NormalMap],
+) -> Result<Vec<(Subject, Movement)>, Mistake> {
+    let mut moving = Vec::new();
+    if options.scene.include(Scenes::MappedSphere) {
+        let ball = match (&options.normal_map, maps) {
+            (Some(_), [map, ..]) => Subject::mapped_ball(size, map),
+            _ => Subject::mapped_ball(size, &restless_map().map_err(Mistake)?),
+        };
+        moving.push((ball, Movement::Turn));
+    }
+    if options.scene.include(Scenes::Water) {
+        moving.push((Subject::water(size), Movement::Pan));
+    }
+    Ok(moving)
+}
+
+/// The scenes asked for.
+fn subjects(options: &Options, size: Size, maps: &[NormalMap]) -> Vec<Subject> {
+    let asked = |scene: Scenes| options.scene.include(scene);
     let mut subjects = Vec::new();
     let mut add = |scene: Scenes, make: &dyn Fn() -> Vec<Subject>| {
         if asked(scene) {
@@ -114,7 +154,7 @@ fn subjects(options: &Options, size: Size) -> Result<Vec<Subject>, Mistake> {
     add(Scenes::MappedSphere, &|| maps.iter().map(|map| Subject::mapped_ball(size, map)).collect());
     add(Scenes::Strip, &|| vec![Subject::strips(size)]);
     add(Scenes::Disc, &|| vec![Subject::disc(size)]);
-    Ok(subjects)
+    subjects
 }
 
 /// A user's normal map.

@@ -8,6 +8,7 @@ use clap::{Parser, ValueEnum};
 
 use crate::light::LightKind;
 use crate::reference::Sampling;
+use crate::sequence::Plan;
 use crate::study::Effort;
 
 /// A user's mistake: one line that names the parameter or file.
@@ -141,13 +142,34 @@ impl Options {
         };
         Effort {
             width: self.size.unwrap_or(width),
-            sampling: Sampling { samples },
+            sampling: Sampling::of_still(samples),
             rounds,
             lights,
             alphas: self.alpha.map_or(ALPHAS[..count].into(), |alpha| vec![alpha]),
         }
     }
+
+    /// How sequences are taken: under the first light, at the smallest alpha, in pictures no wider than asked for.
+    pub(crate) fn plan(&self) -> Plan {
+        let (width, frames) = if self.quick { (96, 16) } else { (144, 60) };
+        Plan {
+            width: self.size.map_or(width, |asked| asked.min(width)),
+            frames,
+            step: STEP,
+            sampling: Sampling::of_frame(128),
+            light: if self.light == Some(Lights::Point) {
+                LightKind::Point
+            } else {
+                LightKind::Distant
+            },
+            alpha: self.alpha.unwrap_or(ALPHAS[0]),
+        }
+    }
 }
+
+/// Pixels from frame to frame of a sequence, in its middle: small, and no simple part of a pixel, so that
+/// glints meet pixels at every phase.
+const STEP: f64 = 0.23;
 
 /// What clap says up to its first blank line, as one line and without its `error:`.
 fn first_paragraph(message: &str) -> String {

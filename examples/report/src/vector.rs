@@ -41,6 +41,12 @@ pub(crate) fn tangential<R: Scalar>(a: Vector<R>, n: Vector<R>) -> Vector<R> {
     along(a, -dot(a, n), n)
 }
 
+/// A vector turned about the z axis by an angle in radians, from x towards y.
+pub(crate) fn turned(v: Vector<f64>, angle: f64) -> Vector<f64> {
+    let (sin, cos) = angle.sin_cos();
+    [cos * v[0] - sin * v[1], sin * v[0] + cos * v[1], v[2]]
+}
+
 /// A vector in another precision.
 pub(crate) fn cast<R: Scalar>(v: Vector<f64>) -> Vector<R> {
     v.map(R::lit)

@@ -44,12 +44,15 @@ fn assert_self_contained(page: &str) {
 fn water_gives_one_self_contained_page_with_finite_numbers() {
     let (text, page) = run("water", &["--scene", "water"]);
     assert_self_contained(&page);
-    // One for each distribution; four measures under two pixels and two figures of Eq. 20.
-    assert_eq!(page.matches("<svg").count(), 2 + 4 * 2 + 2);
+    // One for each distribution; two of water in motion; four measures under two pixels and two figures of Eq. 20.
+    assert_eq!(page.matches("<svg").count(), 2 + 2 + 4 * 2 + 2);
     assert_eq!(page.matches("<img").count(), 5);
     // Two alphas; supersampling and rectangles for both distributions, parallelograms for GGX with two kinds
-    // of footprints; and each GGX method once over all scenes.
-    for (name, rows) in [("exact parallelogram", 6), ("supersampling 256", 5), ("rectangle", 5)] {
+    // of footprints. Each GGX method once over all scenes; in motion GGX at one alpha, without the
+    // many samples.
+    for (name, rows) in
+        [("exact parallelogram", 6 + 2), ("supersampling 256", 5), ("rectangle", 5 + 1)]
+    {
         let lines = text.lines().filter(|line| line.starts_with(name));
         assert_eq!(lines.count(), rows, "{name}");
         assert!(page.contains(name), "{name}");
@@ -142,4 +145,26 @@ fn a_user_s_map_replaces_the_carried_ones_and_its_name_is_escaped() {
     assert_self_contained(&page);
     assert!(text.contains("plane: a&b") && !text.contains("leather"));
     assert!(page.contains("<h2>plane: a&amp;b</h2>"));
+}
+
+#[test]
+fn water_and_mapped_ball_are_shown_in_motion_and_a_user_s_map_on_the_ball() {
+    let (text, page) = run("pan", &["--scene", "water", "--size", "48", "--alpha", "0.02"]);
+    assert!(text.contains("water, passing by") && !text.contains("turning"), "{text}");
+    assert!(text.contains("48 x 27 pixels, 100 % of them judged; GGX, distant light, alpha 0.02."));
+    assert_eq!(page.matches("<h2>In motion</h2>").count(), 1);
+
+    let (text, _) = run("turn", &["--scene", "mapped-sphere", "--light", "point", "--size", "16"]);
+    assert!(text.contains("sphere: diamond-plate, turning"), "{text}");
+    assert!(text.contains("16 x 9 pixels") && text.contains("GGX, point light, alpha 0.01."));
+    for wrong in ["NaN", "inf"] {
+        assert!(!text.contains(wrong), "{wrong} in\n{text}");
+    }
+
+    let map = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/leather.png");
+    let (text, _) = run("own", &["--scene", "mapped-sphere", "--normal-map", map]);
+    assert!(text.contains("sphere: leather, turning") && !text.contains("diamond"), "{text}");
+
+    let (text, page) = run("still", &["--scene", "torus"]);
+    assert!(!text.contains("turning") && !page.contains("In motion"));
 }

@@ -9,12 +9,14 @@ mod picture;
 mod plot;
 mod proxy;
 mod section;
+mod sequence;
 mod table;
 
 use serde::Serialize;
 
 use crate::kernels::Kernels;
 use crate::method::{Distribution, Method};
+use crate::sequence::Sequence;
 use crate::standing::{Advice, Standing, advice, standings};
 use crate::study::{Effort, Panel, Row, Study};
 use crate::timing;
@@ -22,6 +24,7 @@ use section::{equal_samples, equal_time};
 use table::{Line, Table, significant};
 
 pub(crate) use section::text;
+pub(crate) use sequence::text as sequence_text;
 
 /// Everything the page shows.
 pub(crate) struct Report {
@@ -29,11 +32,18 @@ pub(crate) struct Report {
     processor: String,
     pub(crate) kernels: Kernels,
     pub(crate) studies: Vec<Study>,
+    pub(crate) sequences: Vec<Sequence>,
 }
 
 impl Report {
     pub(crate) fn new(effort: Effort, kernels: Kernels) -> Self {
-        Self { effort, processor: timing::processor(), kernels, studies: Vec::new() }
+        Self {
+            effort,
+            processor: timing::processor(),
+            kernels,
+            studies: Vec::new(),
+            sequences: Vec::new(),
+        }
     }
 
     /// The filters without a renderer, as text.
@@ -102,6 +112,7 @@ impl Report {
             advice: self.advice(),
             standings: self.standings(),
             studies: &self.studies,
+            sequences: &self.sequences,
             kernels: &self.kernels,
         };
         serde_json::to_vec_pretty(&data).map_err(|error| format!("report.json: {error}"))
@@ -119,11 +130,12 @@ impl Report {
              <p class=\"lead\">Specular filters at one sample per pixel against plain supersampling, \
              plots at alpha = {}. The large number is how much longer supersampling takes to reach the best \
              filter\u{2019}s error.</p>\n\
-             {front}{}{back}{}{}{}</body>\n</html>\n",
+             {front}{}{back}{}{}{}{}</body>\n</html>\n",
             include_str!("style.css"),
             self.alpha(),
             self.summary(),
             sections.concat(),
+            sequence::html(&self.sequences),
             kernels::html(&self.kernels),
             self.explanation(methods),
         )
@@ -202,6 +214,7 @@ struct Data<'a> {
     /// GGX at the smallest alpha, over all scenes and lights.
     standings: Vec<Standing>,
     studies: &'a [Study],
+    sequences: &'a [Sequence],
     kernels: &'a Kernels,
 }
 

@@ -1,16 +1,16 @@
 //! How many samples each pixel gets: more where the pilot's halves differ.
 
-use super::{CHANNELS, Halves, strata};
+use super::{CHANNELS, Halves, MOST_STRATA, Sampling};
 use crate::camera::Size;
 use crate::metric;
 
-/// Strata of every pixel, for this many samples per pixel on average.
+/// Strata of every pixel.
 ///
 /// With errors c/n, the sum of squares is smallest for n like c^(2/3). A pixel's c is the pilot's
 /// difference around it: a glint that the pilot missed has neighbours that it did not. Absolute and
 /// relative errors have an equal say, as have alphas and distributions. Pixels that no window needs get
 /// the fewest.
-pub(super) fn deal(samples: u32, pilot: &[Halves], needed: &[bool], size: Size) -> Vec<u32> {
+pub(super) fn deal(sampling: Sampling, pilot: &[Halves], needed: &[bool], size: Size) -> Vec<u32> {
     let mut shares = vec![0.0; pilot.len()];
     for k in 0..CHANNELS {
         let mean =
@@ -28,13 +28,13 @@ pub(super) fn deal(samples: u32, pilot: &[Halves], needed: &[bool], size: Size) 
     }
     let wishes: Vec<f64> = around(&shares, size).into_iter().map(f64::cbrt).collect();
     let sum: f64 = wishes.iter().sum();
-    let samples = f64::from(samples) * pilot.len() as f64;
+    let samples = f64::from(sampling.samples) * pilot.len() as f64;
     let strata = |wish: &f64| {
         let per_half = if sum > 0.0 { 0.5 * samples * wish / sum } else { 0.0 };
         // Between the two bounds: the cast only rounds.
         #[allow(clippy::cast_sign_loss)]
-        let strata = per_half.sqrt().min(f64::from(strata::MOST)).round() as u32;
-        strata.max(strata::FEWEST)
+        let strata = per_half.sqrt().min(f64::from(MOST_STRATA)).round() as u32;
+        strata.max(sampling.fewest)
     };
     wishes.iter().map(strata).collect()
 }
@@ -62,7 +62,7 @@ fn around(values: &[f64], size: Size) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{CHANNELS, around, deal, strata};
+    use super::{CHANNELS, Sampling, around, deal};
     use crate::camera::Size;
 
     #[test]
@@ -71,12 +71,13 @@ mod tests {
         let even = vec![[[1.0; CHANNELS]; 2]; size.pixels()];
         let mut pilot = even.clone();
         pilot[5 * 20 + 10][0][0] = 9.0;
-        let strata = deal(200, &pilot, &vec![true; size.pixels()], size);
+        let sampling = Sampling::of_frame(200);
+        let strata = deal(sampling, &pilot, &vec![true; size.pixels()], size);
         assert!(strata[5 * 20 + 10] > 20 && strata[4 * 20 + 11] > 20);
-        assert_eq!(strata[0], strata::FEWEST);
+        assert_eq!(strata[0], sampling.fewest);
         for (pilot, needed) in [(even, true), (pilot, false)] {
-            let strata = deal(200, &pilot, &vec![needed; size.pixels()], size);
-            assert!(strata.iter().all(|&n| n == strata::FEWEST));
+            let strata = deal(sampling, &pilot, &vec![needed; size.pixels()], size);
+            assert!(strata.iter().all(|&n| n == sampling.fewest));
         }
     }
 

@@ -59,6 +59,10 @@ impl References {
 pub(crate) struct Sampling {
     /// Samples per pixel on average to deal out by need; no pixel gets fewer than a fixed number.
     pub(crate) samples: u32,
+    /// Strata along each side of a pixel, in each of two halves: of every pixel of the pilot, and of the
+    /// pixels that get the fewest.
+    pilot: u32,
+    fewest: u32,
 }
 
 /// What is rendered: a lit scene, its material at several alphas, and the pixels that count.
@@ -71,12 +75,8 @@ pub(crate) struct Target<'a> {
     pub(crate) judged: &'a [bool],
 }
 
-/// Strata along each side of a pixel, one sample each, in each of two independent halves.
-mod strata {
-    pub(super) const PILOT: u32 = 8;
-    pub(super) const FEWEST: u32 = 12;
-    pub(super) const MOST: u32 = 192;
-}
+/// Strata along each side of a pixel, at most.
+const MOST_STRATA: u32 = 192;
 
 /// Rows rendered between two rounds of adding up.
 const WAVE: usize = 16;
@@ -85,6 +85,16 @@ const WAVE: usize = 16;
 type Halves = [[f64; CHANNELS]; 2];
 
 impl Sampling {
+    /// Of a picture that stands for itself.
+    pub(crate) fn of_still(samples: u32) -> Self {
+        Self { samples, pilot: 8, fewest: 12 }
+    }
+
+    /// Of one frame among many.
+    pub(crate) fn of_frame(samples: u32) -> Self {
+        Self { samples, pilot: 4, fewest: 4 }
+    }
+
     /// Renders the references; `row_done` is called once per row of the picture and of its margin.
     pub(crate) fn render(
         self,
@@ -93,8 +103,8 @@ impl Sampling {
     ) -> Result<References, Error> {
         let sampler = Sampler::new(target)?;
         let whole = target.size.grown(MARGIN);
-        let pilot = sampler.pilot(whole);
-        let strata = deal(self.samples, &pilot, &needed(target), whole);
+        let pilot = sampler.pilot(whole, self.pilot);
+        let strata = deal(self, &pilot, &needed(target), whole);
 
         let splatter = Splatter::new();
         let mut collected = Collected::new(target);
@@ -171,13 +181,13 @@ impl<'a> Sampler<'a> {
     }
 
     /// A quick picture of means.
-    fn pilot(&self, whole: Size) -> Vec<Halves> {
+    fn pilot(&self, whole: Size, strata: u32) -> Vec<Halves> {
         let pixel = |index: usize| {
             let mut halves = Halves::default();
             for (half, means) in halves.iter_mut().enumerate() {
                 let jitter = Jitter::new(4 * index as u64 + half as u64);
                 let place = [index % whole.width, index / whole.width];
-                self.samples(place, strata::PILOT, jitter, |_, values| {
+                self.samples(place, strata, jitter, |_, values| {
                     means.iter_mut().zip(values).for_each(|(mean, value)| *mean += value);
                 });
             }

@@ -18,7 +18,7 @@ fn render(subject: &Subject, samples: u32, alphas: &[f64]) -> (super::References
         alphas,
         judged: &judged,
     };
-    (Sampling { samples }.render(&target, &|| ()).unwrap(), judged)
+    (Sampling::of_still(samples).render(&target, &|| ()).unwrap(), judged)
 }
 
 #[test]

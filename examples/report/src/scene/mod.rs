@@ -6,6 +6,7 @@ mod balls;
 mod disc;
 mod map;
 mod mapped_ball;
+mod movement;
 mod plane;
 mod strips;
 mod subject;
@@ -24,7 +25,8 @@ use crate::vector::{add, along, dot, scaled, sub, tangential};
 use surface::{Hit, Shape, Surface, on_shape};
 
 pub(crate) use disc::ACROSS;
-pub(crate) use map::{NormalMap, carried_maps};
+pub(crate) use map::{NormalMap, carried_maps, restless_map};
+pub(crate) use movement::Movement;
 pub(crate) use subject::Subject;
 
 /// What shading needs of one point of the picture, in the point's own shading frame.

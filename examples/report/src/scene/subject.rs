@@ -24,10 +24,10 @@ pub(crate) struct Subject {
     pub(crate) size: Size,
     /// What the material is like, apart from its alpha.
     pub(crate) finish: Finish,
-    camera: Camera<f64>,
-    surface: Surface<f64>,
+    pub(super) camera: Camera<f64>,
+    pub(super) surface: Surface<f64>,
     /// In the order of [`LightKind::ALL`].
-    lights: [Light<f64>; 2],
+    pub(super) lights: [Light<f64>; 2],
 }
 
 /// A scene under one of its lights, in both precisions.
@@ -179,18 +179,18 @@ impl Subject {
 
     /// The scene under one of its lights.
     pub(crate) fn lit(&self, kind: LightKind) -> Lit {
-        let light = &self.lights[kind as usize];
+        self.seen(self.camera.clone(), self.lights[kind as usize].clone())
+    }
+
+    /// The surface by another camera and under another light.
+    pub(super) fn seen(&self, camera: Camera<f64>, light: Light<f64>) -> Lit {
         Lit {
             engine: Scene {
-                camera: self.camera.cast(),
+                camera: camera.cast(),
                 light: light.cast(),
                 surface: self.surface.cast(),
             },
-            exact: Scene {
-                camera: self.camera.clone(),
-                light: light.clone(),
-                surface: self.surface.cast(),
-            },
+            exact: Scene { camera, light, surface: self.surface.cast() },
         }
     }
 }
