@@ -1,7 +1,7 @@
 //! Constructors refuse their arguments or yield a valid value, whatever the arguments.
 
 use super::bytes::Bytes;
-use super::valid;
+use super::{valid, widenings};
 use lobe::filter::tokuyoshi_deferred_alpha;
 use lobe::{
     AxisAligned, Footprint, Isotropic, Kernel, Lobe, PixelFilter, Psd, Real, Roughness,
@@ -15,7 +15,17 @@ pub(crate) fn constructors(bytes: &[u8]) {
 }
 
 fn any<R: Real>(input: &mut Bytes) {
-    match input.byte() % 10 {
+    let kind = input.byte();
+    // The upper half of the bytes are the filters.
+    if kind >= 128 {
+        return match kind % 4 {
+            0 => widenings::widening::<R>(input),
+            1 => widenings::light::<R>(input),
+            2 => widenings::alphas::<R>(input),
+            _ => widenings::shaded::<R>(input),
+        };
+    }
+    match kind % 10 {
         0 => matrix::<R>(input),
         1 => nearest::<R>(input),
         2 => alphas::<R>(input),

@@ -7,6 +7,7 @@ mod bytes;
 mod constructors;
 mod precision;
 mod valid;
+mod widenings;
 
 pub(crate) use constructors::constructors;
 pub(crate) use precision::precision;

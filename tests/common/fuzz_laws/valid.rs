@@ -102,7 +102,7 @@ pub(crate) fn shape<S: Shape>(shape: S, known: bool, input: &mut Bytes, from: &d
 }
 
 /// Unit up to rounding, in either hemisphere, the horizon and the axes included.
-fn direction<R: Real>(input: &mut Bytes) -> [R; 3] {
+pub(crate) fn direction<R: Real>(input: &mut Bytes) -> [R; 3] {
     let z = input.log_between(1e-6, 1.0);
     let z = [z, -z, 0.0][usize::from(input.byte() % 3)];
     let angle = input.between(0.0, core::f64::consts::TAU);
