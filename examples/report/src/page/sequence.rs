@@ -127,6 +127,7 @@ fn chart(
         .fold((f64::INFINITY, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
     // A frame without any light has no logarithm; nor has a sequence of such frames.
     let [low, high] = if low < high { [low / ROOM, high * ROOM] } else { [0.1, 10.0] };
+    let scale = if high > LONG * low { Scale::Logarithmic } else { Scale::Linear };
     Chart {
         title: format!("{title} over frames, {}", sequence.name),
         x: Range {
@@ -135,11 +136,14 @@ fn chart(
             ends: [1.0, (sequence.frames as f64).max(2.0)],
             unit: "",
         },
-        y: Range { title, scale: Scale::Logarithmic, ends: [low, high], unit: "" },
+        y: Range { title, scale, ends: [low, high], unit: "" },
         right,
         lines,
     }
 }
+
+/// The ratio of an axis' ends above which it is logarithmic: on shorter ones 1, 2 and 5 are too few ticks.
+const LONG: f64 = 8.0;
 
 /// Factor between the outermost values and the frame.
 const ROOM: f64 = 1.15;
@@ -195,7 +199,7 @@ fn noise(sequence: &Sequence) -> String {
         "Deviation: standard deviation of x \u{2212} r over all frames and pixels. Peak ratio: mean over frames of the \
          largest radiance over the reference\u{2019}s. Jump ratio: the largest change of that peak from one frame to the \
          next over the reference\u{2019}s largest. Worst: largest |x \u{2212} r|, and how high the half vector stands over \
-         the surface there. Noise: the reference\u{2019}s own standard error, {:.1} % of the best \
+         the surface there. Noise: the reference\u{2019}s own standard error, {} % of the best \
          filter\u{2019}s flicker and at most {} % of any method\u{2019}s.",
         significant(sequence.best().map_or(f64::NAN, part)),
         significant(largest),
@@ -224,16 +228,32 @@ fn finding(sequence: &Sequence) -> String {
         significant(best.peak_ratio),
         significant(best.jump_ratio),
     );
-    let restless =
-        sequence.tracks.iter().filter(|track| track.filters && track.flicker > plain.flicker);
-    let named: Vec<_> = restless
-        .map(|track| {
-            format!("{} (worst where the half vector is {} high)", track.method, degrees(track))
-        })
+    format!("{unfiltered} {filtered}{}", restless(sequence, plain))
+}
+
+/// Degrees below which a half vector is near the horizon: its slope is above 3.
+const LOW: f64 = 18.0;
+
+/// The filters that flicker more than one plain sample, and where; empty if there is none.
+fn restless(sequence: &Sequence, plain: &Track) -> String {
+    let restless: Vec<_> = sequence
+        .tracks
+        .iter()
+        .filter(|track| track.filters && track.flicker > plain.flicker)
         .collect();
-    let restless = match named.as_slice() {
-        [] => String::new(),
-        names => format!(" More than without a filter flickers: {}.", names.join("; ")),
+    if restless.is_empty() {
+        return String::new();
+    }
+    let names =
+        restless.iter().map(|track| format!("{} (worst at {})", track.method, degrees(track)));
+    let cause = if restless.iter().all(|track| track.worst.elevation < LOW) {
+        " So near the horizon slopes grow without bound, and an error of their density weighs as much as the \
+         slope\u{2019}s fourth power."
+    } else {
+        ""
     };
-    format!("{unfiltered} {filtered}{restless}")
+    format!(
+        " More than without a filter flickers, with the half vector\u{2019}s height above the surface: {}.{cause}",
+        names.collect::<Vec<_>>().join("; "),
+    )
 }
