@@ -16,6 +16,7 @@
 //! corners then come from slope space, with compensated sums (frame.rs).
 
 use super::frame::Frame;
+use super::secant::secant_ratio;
 use super::strip::{Strip, Whitened};
 use super::{edges, thin};
 use crate::ndf::{Distribution, GgxDistribution, Ndf};
@@ -172,18 +173,20 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// The BRDF with D averaged over a footprint around the half vector's slope; masking and shadowing
     /// unfiltered.
     ///
-    /// $\tilde D = \overline{P_{22}} / m_z^4$, then as [`Ndf::brdf`]. $m$ is the normal whose density is that mean, on
-    /// the way from the lobe's centre to the half vector: of a zero footprint the half vector itself, and then the
-    /// result is the BRDF. At half vectors so low that $P_{22}$ has no normal number it is the BRDF, too; 0 for a
-    /// footprint with NaN.
+    /// $\tilde D = \overline{P_{22}} / m_z^4$, then as [`Ndf::brdf`], with the height $m_z$ of the normals that the mean
+    /// comes from: of a zero footprint the half vector's, and then the result is the BRDF. At half vectors so low
+    /// that $P_{22}$ has no normal number it is the BRDF, too; 0 for a footprint with NaN.
     ///
     /// Kaplanyan divides by the half vector's $h_z^4$: of a half vector near the horizon whose footprint reaches the
     /// lobe the mean is the lobe's, and the factor, far beyond a million, is not. What a pixel sees is the mean of
-    /// $P_{22}/m_z^4$. For isotropic lobes ours is $\frac{1}{\pi\alpha^2} (\alpha^2 + (1 - \alpha^2) \sqrt M)^2$ with
-    /// $M = \pi\alpha^2 \overline{P_{22}}$: an upper bound of that mean (by Jensen's inequality), never twice as
-    /// large, never above the peak, and equal to it in both limits.
+    /// $P_{22}/m_z^4$. For isotropic lobes of alpha up to 1 ours is $\frac{1}{\pi\alpha^2} (\alpha^2 + (1 - \alpha^2)
+    /// \sqrt M)^2$ with $M = \pi\alpha^2 \overline{P_{22}}$: an upper bound of that mean (by Jensen's inequality), never
+    /// twice as large, never above the peak. For any other centred lobe it is an estimate: over random lobes of alphas
+    /// 0.05 to 0.9, slopes and footprints up to 2, within 10 % in 98 of 100 draws and within a factor 2 in all; up to 30,
+    /// within 50 % in 97 of 100, down to an eighth in the rest (tests/laws_over.rs).
     ///
-    /// Error as that of [`Ndf::parallelogram_mean`]; in f32 for alphas above 1 another 16 roundings times alpha^2.
+    /// Rounding: f32 within 3e-4 where the lobe lies within ten alphas, 1e-3 anywhere, and for alphas above 1 another
+    /// 64 roundings times alpha^2; f64 as [`Ndf::parallelogram_mean`].
     ///
     /// Source: Kaplanyan et al. 2016, Eq. 11 and section 4.4, but for the factor.
     ///
@@ -218,29 +221,12 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         let pi_point = GgxDistribution::density(form, root_det, one, one, one);
         let mean = self.mean_at([x, y], [x_low, y_low], footprint);
         let ratio = (mean * S::Scalar::PI / pi_point).sqrt();
-        let factor = ratio * self.secant_ratio([x, y], form / root_det, ratio);
+        let footprint = &footprint.bounded();
+        let (offset, low) = self.shape().offset([x, y]);
+        let whitened = Whitened::new(self.shape(), offset, low, footprint);
+        let factor = ratio * secant_ratio([x, y], form / root_det, ratio, footprint, &whitened);
         // `max` drops NaN: of a NaN footprint, or of 0 times infinity.
         let filtered = (brdf * factor * factor).max(zero).min(S::Scalar::MAX);
         if pi_point >= S::Scalar::MIN_POSITIVE { filtered } else { brdf }
-    }
-
-    /// $m_z^{-2}/h_z^{-2}$ of the normal m where the density's root is `ratio` times that at the half vector, whose
-    /// slope and form q are given.
-    #[inline]
-    fn secant_ratio(&self, slope: [S::Scalar; 2], q: S::Scalar, ratio: S::Scalar) -> S::Scalar {
-        let one = S::Scalar::ONE;
-        // 1 + q = 1/sqrt(M) there.
-        let there = ((one + q - ratio) / ratio).max(S::Scalar::ZERO);
-        let secant_squared = |[x, y]: [S::Scalar; 2]| one + x * x + y * y;
-        let here = secant_squared(slope);
-        let (offset, _) = self.shape().offset(slope);
-        let back = one - (there / q.max(S::Scalar::MIN_POSITIVE)).min(one).sqrt();
-        let nearer = secant_squared([slope[0] - back * offset[0], slope[1] - back * offset[1]]);
-        // Beyond the half vector no direction is the one: as far as an isotropic lobe of the same area goes.
-        let beyond = here + (there - q) * self.shape().root_det();
-        // A mean that is the point's density but for its own rounding says nothing about where it comes from.
-        let same = (one - ratio).abs() <= S::Scalar::lit(16.0) * S::Scalar::EPSILON;
-        let secant = if there <= q { nearer } else { beyond };
-        if same { one } else { secant / here }
     }
 }
