@@ -285,7 +285,7 @@ fn literals_round_trip() {
 }
 
 /// Of the BRDF over a footprint within ten alphas of the lobe: the mean's error, and that of the normals' height.
-const OVER_BUDGET: f64 = 3e-4;
+const OVER_BUDGET: f64 = 1e-4;
 
 /// The BRDF over a footprint, which takes its slope from the directions: a tilted narrow lobe shows whether
 /// their sum and its quotient keep their digits.

@@ -110,10 +110,7 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
             return S::Scalar::ZERO;
         }
         let footprint = &footprint.bounded();
-        let (offset, low) = shape.offset(slope);
-        let (x, y) =
-            (two_sum(offset[0], low[0] + slope_low[0]), two_sum(offset[1], low[1] + slope_low[1]));
-        let (offset, low) = ([x.0, y.0], [x.1, y.1]);
+        let (offset, low) = self.offset_of(slope, slope_low);
         let whitened = Whitened::new(shape, offset, low, footprint);
         let (centre2, side2) = (whitened.centre_squared(), whitened.longer_side_squared());
         // The distance to the footprint is at least two thirds of that to its centre, or does not matter.
@@ -147,6 +144,18 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
             }
         };
         mean / root_det
+    }
+
+    /// Slope less mean of `slope + slope_low`, as an unevaluated sum.
+    fn offset_of(
+        &self,
+        slope: [S::Scalar; 2],
+        slope_low: [S::Scalar; 2],
+    ) -> ([S::Scalar; 2], [S::Scalar; 2]) {
+        let (offset, low) = self.shape().offset(slope);
+        let (x, y) =
+            (two_sum(offset[0], low[0] + slope_low[0]), two_sum(offset[1], low[1] + slope_low[1]));
+        ([x.0, y.0], [x.1, y.1])
     }
 
     /// Mean of $P_{22}$ over the rectangle `slope +- widths/2` along the slope axes: exact, and stable
@@ -185,7 +194,7 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// 0.05 to 0.9, slopes and footprints up to 2, within 10 % in 98 of 100 draws and within a factor 2 in all; up to 30,
     /// within 50 % in 97 of 100, down to an eighth in the rest (tests/laws_over.rs).
     ///
-    /// Rounding: f32 within 3e-4 where the lobe lies within ten alphas, 1e-3 anywhere, and for alphas above 1 another
+    /// Rounding: f32 within 1e-4 where the lobe lies within ten alphas, 1e-3 anywhere, and for alphas above 1 another
     /// 64 roundings times alpha^2; f64 as [`Ndf::parallelogram_mean`].
     ///
     /// Source: Kaplanyan et al. 2016, Eq. 11 and section 4.4, but for the factor.
@@ -222,7 +231,7 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         let mean = self.mean_at([x, y], [x_low, y_low], footprint);
         let ratio = (mean * S::Scalar::PI / pi_point).sqrt();
         let footprint = &footprint.bounded();
-        let (offset, low) = self.shape().offset([x, y]);
+        let (offset, low) = self.offset_of([x, y], [x_low, y_low]);
         let whitened = Whitened::new(self.shape(), offset, low, footprint);
         let factor = ratio * secant_ratio([x, y], form / root_det, ratio, footprint, &whitened);
         // `max` drops NaN: of a NaN footprint, or of 0 times infinity.
