@@ -34,6 +34,8 @@ pub enum Error {
     Width,
     /// `sharpness` is outside `[1e-9, 1e18]` or NaN.
     Sharpness,
+    /// `radius` is outside `[2e-9, 6e4]` or NaN.
+    Radius,
     /// `rho` is outside `[-1, 1]` or NaN.
     Rho,
     /// `matrix` has an entry beyond 1e18 in magnitude, or NaN.
@@ -73,6 +75,7 @@ impl fmt::Display for Error {
             Self::Sigma => "sigma must lie in [0, 1e9]",
             Self::Width => "width must lie in [0, 1e9]",
             Self::Sharpness => "sharpness must lie in [1e-9, 1e18]",
+            Self::Radius => "radius must lie in [2e-9, 6e4]",
             Self::Rho => "rho must lie in [-1, 1]",
             Self::MatrixEntry => "matrix entries must lie in [-1e18, 1e18]",
             Self::MatrixNotPositive => "matrix must be positive semi-definite",

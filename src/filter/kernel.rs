@@ -144,7 +144,8 @@ impl<R: Real> Kernel<R> {
     /// The footprint that this kernel is of, under a pixel filter: along the axes of the covariance.
     ///
     /// The way back from [`Kernel::of`], which knows no other parallelogram of the same covariance. It lets the
-    /// exact GGX mean and its bounding rectangle filter nested kernels. For a filter of variance 0, no footprint.
+    /// exact GGX mean and its bounding rectangle filter nested kernels. Sides end at $10^9$; for a filter of variance 0,
+    /// no footprint.
     ///
     /// Source: Kaplanyan et al. 2016, section 5.5 ("the rectangle around the vectors of the standard deviations").
     ///
@@ -157,11 +158,14 @@ impl<R: Real> Kernel<R> {
     /// ```
     pub fn footprint(&self, filter: PixelFilter) -> Footprint<R> {
         let Eigen { major, minor, axis: [cos, sin] } = self.covariance.eigen();
-        let variance = R::lit(filter.variance);
-        if !(variance > R::ZERO) {
+        if filter.variance <= 0.0 {
             return Footprint::default();
         }
-        let [long, short] = [major, minor].map(|x| (x / variance).sqrt());
+        // In f64, whose range holds the quotient; sides of at most the largest slope.
+        let [long, short] = [major, minor].map(|x| {
+            let side = (x.to_f64() / filter.variance).min(1e18);
+            R::lit(side).sqrt()
+        });
         Footprint { u: [long * cos, long * sin], v: [-(short * sin), short * cos] }
     }
 

@@ -40,7 +40,8 @@ impl<R: Real> SphericalGaussian<R> {
     /// [`Error::Direction`] for a direction without length; [`Error::Sharpness`] unless in $[10^{-9}, 10^{18}]$.
     pub fn new(direction: impl Into<[R; 3]>, sharpness: R) -> Result<Self, Error> {
         let direction = normalize(direction);
-        if direction == [R::ZERO; 3] {
+        // `normalize` gives zeros for no length or an infinite one, and keeps NaN.
+        if !(dot(direction, direction) > R::HALF) {
             return Err(Error::Direction);
         }
         let least = R::ONE / R::LARGEST;
@@ -53,11 +54,13 @@ impl<R: Real> SphericalGaussian<R> {
     /// The Gaussian with the variance of a uniform disc of this angular radius: $\lambda = 4/r^2$.
     ///
     /// # Errors
-    /// As [`SphericalGaussian::new`]: the radius lies in $[2 \cdot 10^{-9}, 6 \cdot 10^4]$ radians.
+    /// [`Error::Direction`] as [`SphericalGaussian::new`]; [`Error::Radius`] unless the radius lies in $[2 \cdot
+    /// 10^{-9}, 6 \cdot 10^4]$ radians.
     pub fn from_angular_radius(direction: impl Into<[R; 3]>, radius: R) -> Result<Self, Error> {
         // A radius of either sign has one square.
         let sharpness = if radius > R::ZERO { R::lit(4.0) / radius / radius } else { R::ZERO };
         Self::new(direction, sharpness)
+            .map_err(|error| if error == Error::Sharpness { Error::Radius } else { error })
     }
 
     /// The unit direction of the brightest point.
@@ -125,8 +128,7 @@ impl<R: Real> SphericalGaussian<R> {
             let along = dot(h, t);
             [(t[0] - h[0] * along) * inverse, (t[1] - h[1] * along) * inverse]
         });
-        // Opposite directions have no half vector.
-        if squared > R::ZERO { DiskKernel::of(u, v, self.spread()) } else { DiskKernel::default() }
+        if g[2] > R::ZERO { DiskKernel::of(u, v, self.spread()) } else { DiskKernel::default() }
     }
 
     /// How the half vector's slope changes per radian of the light's direction: for
@@ -145,8 +147,9 @@ impl<R: Real> SphericalGaussian<R> {
     /// The variance of the light, in squared radians, in the place of a pixel filter's.
     #[inline]
     fn spread(&self) -> PixelFilter {
-        // In [1e-18, 1e9] by construction.
-        PixelFilter::with_variance(1.0 / self.sharpness.to_f64()).unwrap_or(PixelFilter::BOX)
+        // The least sharpness, rounded to f32, may have a variance just beyond the largest.
+        let variance = (1.0 / self.sharpness.to_f64()).min(1e9);
+        PixelFilter::with_variance(variance).unwrap_or(PixelFilter::BOX)
     }
 
     /// Two unit vectors across the light's direction and each other.

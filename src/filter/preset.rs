@@ -2,7 +2,7 @@
 //!
 //! Floor 3. All take the change of the normal to the next pixels and cite the same papers. Translated into this
 //! crate's units (`c` is what multiplies $|\Delta n_u|^2 + |\Delta n_v|^2$ before it is added to alpha^2, as $c =
-//! 2\sigma_{px}^2$ in Tokuyoshi's Eq. 13), they differ by a factor of 3 in what they add and by 5 in where they stop.
+//! 2\sigma_{px}^2$ in Tokuyoshi's Eq. 13), they differ by a factor of 2.5 in what they add and by 4.5 in where they stop.
 //! Constants as read in each engine's source or, for Bevy, in the pull request; engines move on, this table does not.
 //!
 #![doc = include_str!("preset.md")]
@@ -93,7 +93,7 @@ impl Engine {
     /// What the engine computes, in its own terms: r is perceptual roughness, t the squared derivatives' sum.
     pub fn formula(self) -> &'static str {
         match self {
-            Self::Filament => "alpha^2 + min(2 0.15 t, 0.2)",
+            Self::Filament => "alpha^2 + min(2 0.15 t, 0.2^2)",
             Self::UnityHdrp => "alpha^2 + min(2 0.1 t, 0.2^2)",
             Self::Godot => "alpha + min(2 0.25 t, 0.18)",
             Self::O3de => "alpha^2 + min(2 0.25 t, 0.18)",
@@ -106,7 +106,7 @@ impl Engine {
     /// Coefficient and cap where the filter adds to alpha^2; the others have none that would hold for every alpha.
     pub fn added(self) -> Option<Added> {
         let (coefficient, cap) = match self {
-            Self::Filament => (2.0 * 0.15, 0.2),
+            Self::Filament => (2.0 * 0.15, 0.2 * 0.2),
             Self::UnityHdrp => (2.0 * 0.1, 0.2 * 0.2),
             Self::O3de => (2.0 * 0.25, 0.18),
             Self::BevyProposal => (0.25, 0.18),
@@ -127,11 +127,9 @@ impl Engine {
     pub fn shortcoming(self) -> &'static str {
         match self {
             Self::Filament => {
-                "right space; 0.15 is no pixel filter's variance that any paper or reference has"
+                "right space; the threshold is squared, so that it stops at a fifth of the paper's; 0.15 is nobody's pixel"
             }
-            Self::UnityHdrp => {
-                "right space; the threshold is squared, so that it stops at a fifth of the others"
-            }
+            Self::UnityHdrp => "right space; the threshold is squared here as well",
             Self::Godot => {
                 "adds to alpha what belongs to alpha^2: nearly no filtering where it matters"
             }
@@ -142,7 +140,7 @@ impl Engine {
                 "linear in r, the largest component depends on the view's axes; never below r = 0.0525"
             }
             Self::BabylonJs => {
-                "no variances: rough surfaces get nothing, smooth ones all; adds 0.0005 to every alpha"
+                "no variances: rough surfaces get nothing, smooth ones all; adds 0.0005 to every alpha (punctual lights; reflections add 0.75 |derivative| to alpha)"
             }
             Self::BevyProposal => {
                 "says sigma^2 = 0.25 and adds it once: half of the equation it cites"
@@ -154,7 +152,8 @@ impl Engine {
     ///
     /// `alpha` = r^2 before filtering, `dn_u` and `dn_v` the differences of the normal to the next pixels. As
     /// shipped, defects included ([`Engine::shortcoming`]); [`tokuyoshi_deferred_alpha`](super::tokuyoshi_deferred_alpha)
-    /// is the formula that they meant. The frame of the normals matters to three.js only (view space).
+    /// is the formula that they meant. The frame of the normals matters to three.js only (view space). Godot and
+    /// three.js end at 1, whatever alpha came in.
     ///
     /// # Errors
     /// [`Error::Alpha`] unless alpha lies in $[0, 10^9]$.

@@ -156,8 +156,9 @@ impl<R: Real> Roughness<R> {
     /// The roughness $A + t K$, $K = 2\Sigma_K$, with the exact peak of GGX under the Gaussian kernel.
     ///
     /// By [`ggx_gaussian_mean`]: a reference; [`Roughness::peak_fitted`] is for shading. For isotropic A and K it is
-    /// [`gaussian_peak_alpha`]. t lies in \[1, 2\]; for a mirror it is 1, where GGX is the kernel, and for a mirror along
-    /// one axis only it is what the peak asks for as well.
+    /// [`gaussian_peak_alpha`]. t lies in \[1, 2\]; for a mirror it is 1, where GGX is the kernel; for a mirror along one axis
+    /// only it is what the peak asks for, unless the kernel is a line along the other axis: then the peak has no end, and
+    /// t is 1.
     ///
     /// ```
     /// use lobe::{Footprint, Kernel, PixelFilter, Roughness, filter::gaussian_peak_alpha};

@@ -31,7 +31,8 @@ pub fn step<R: Real>(
     [across[0] - along * wo[0], across[1] - along * wo[1]]
 }
 
-/// Width of a ray cone after `distance`, $w_0 + 2 t \tan(\gamma/2)$, for a spread of $\gamma$ radians per pixel.
+/// Width of a ray cone after `distance`, $w_0 + 2 t \tan(\gamma/2)$, for a spread of $\gamma$ radians per pixel, less
+/// than half a turn.
 ///
 /// Source: Akenine-Möller et al. 2021, with the erratum: the full width, hence twice the tangent of half the angle.
 ///

@@ -42,7 +42,7 @@ pub(crate) struct Options {
     pub(crate) light: Option<Lights>,
 
     /// A tangent-space normal map (PNG, RGB or RGBA, 8 or 16 bits, +y up) to show on the plane and on
-    /// the sphere instead of the four that the program carries.
+    /// the sphere (scenes `plane` and `mapped-sphere`) instead of the four that the program carries.
     #[arg(long, value_name = "FILE")]
     pub(crate) normal_map: Option<PathBuf>,
 
@@ -61,7 +61,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "N", value_parser = width, allow_negative_numbers = true)]
     pub(crate) size: Option<usize>,
 
-    /// Folder for index.html and cover.png; made if it does not exist.
+    /// Folder for index.html, report.json and cover.png; made if it does not exist.
     #[arg(long, value_name = "DIR", default_value = "target/report")]
     pub(crate) out: PathBuf,
 }
