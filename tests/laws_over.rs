@@ -73,13 +73,13 @@ fn ratios(limit: f64, count: u64) -> Vec<f64> {
 /// Any lobe: an estimate with the errors that the documentation states.
 #[test]
 fn any_lobe_s_density_over_a_footprint_is_near_its_mean() {
-    for (limit, near, part, far) in [(2.0, 1.1, 98, 2.0), (30.0, 1.5, 97, 8.0)] {
-        let ratios = ratios(limit, 1500);
+    for (limit, near, part, range) in [(2.0, 1.1, 98, 0.5..2.0), (30.0, 1.5, 96, 0.03..4.0)] {
+        let ratios = ratios(limit, 15_000);
         let within =
             |factor: f64| ratios.iter().filter(|r| (1.0 / factor..=factor).contains(*r)).count();
         let ends = [ratios[0], ratios[ratios.len() - 1]];
         assert!(100 * within(near) >= part * ratios.len(), "{limit}: {} {ends:?}", within(near));
-        assert_eq!(within(far), ratios.len(), "{limit}: {ends:?}");
+        assert!(ends.iter().all(|end| range.contains(end)), "{limit}: {ends:?}");
     }
 }
 

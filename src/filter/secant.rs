@@ -28,19 +28,10 @@ pub(super) fn secant_ratio<R: Real>(
     let there = ((one + q - ratio) / ratio).max(zero);
     let (u_squared, v_squared) = (dot(u, u), dot(v, v));
 
-    // The densest point: whitened, the nearest to the lobe's centre, side by side.
-    let along = |other: R, side: [R; 2], across: [R; 2], squared: R| {
-        let from = [centre[0] + other * across[0], centre[1] + other * across[1]];
-        (-dot(from, side) / squared.max(least)).min(R::HALF).max(-R::HALF)
-    };
-    let (mut i, mut j) = (zero, zero);
-    for _ in 0..4 {
-        i = along(j, u, v, u_squared);
-        j = along(i, v, u, v_squared);
-    }
     let at = |i: R, j: R| [centre[0] + i * u[0] + j * v[0], centre[1] + i * u[1] + j * v[1]];
-    let densest = at(i, j);
-    let reach = R::lit(4.0) * (one + dot(densest, densest));
+    let [i, j] = densest(whitened, u_squared, v_squared);
+    let nearest = at(i, j);
+    let reach = R::lit(4.0) * (one + dot(nearest, nearest));
     let (i, j) = (i * (u_squared / (u_squared + reach)), j * (v_squared / (v_squared + reach)));
     let first = at(i, j);
     let s = [0, 1].map(|k| slope[k] + i * footprint.u[k] + j * footprint.v[k]);
@@ -54,4 +45,31 @@ pub(super) fn secant_ratio<R: Real>(
     // A mean that is the point's density but for its own rounding says nothing about where it comes from.
     let same = (one - ratio).abs() <= R::lit(16.0) * R::EPSILON;
     if same { one } else { secant / (one + dot(slope, slope)) }
+}
+
+/// Where the footprint is densest, in sides from its centre: at the lobe's centre if it covers that, else at the
+/// nearest point of the four edges, whitened.
+#[inline]
+fn densest<R: Real>(whitened: &Whitened<R>, u_squared: R, v_squared: R) -> [R; 2] {
+    let Whitened { centre, u, v } = *whitened;
+    let (half, least) = (R::HALF, R::MIN_POSITIVE);
+    let cross = |a: [R; 2], b: [R; 2]| a[0] * b[1] - a[1] * b[0];
+    let area = cross(u, v);
+    let (i, j) = (-(cross(centre, v) / area), cross(centre, u) / area);
+    // False for a footprint without area.
+    if i.abs() <= half && j.abs() <= half {
+        return [i, j];
+    }
+    let from = |side: [R; 2], t: R| [centre[0] + t * side[0], centre[1] + t * side[1]];
+    let along = |start: [R; 2], side: [R; 2], squared: R| {
+        let t = (-dot(start, side) / squared.max(least)).min(half).max(-half);
+        let end = [start[0] + t * side[0], start[1] + t * side[1]];
+        (t, dot(end, end))
+    };
+    let edges = [-half, half].map(|t| {
+        let ((j, far), (i, farther)) =
+            (along(from(u, t), v, v_squared), along(from(v, t), u, u_squared));
+        if far <= farther { (far, [t, j]) } else { (farther, [i, t]) }
+    });
+    if edges[0].0 <= edges[1].0 { edges[0].1 } else { edges[1].1 }
 }
