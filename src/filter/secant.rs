@@ -32,7 +32,13 @@ pub(super) fn secant_ratio<R: Real>(
     let [i, j] = densest(whitened, u_squared, v_squared);
     let nearest = at(i, j);
     let reach = R::lit(4.0) * (one + dot(nearest, nearest));
-    let (i, j) = (i * (u_squared / (u_squared + reach)), j * (v_squared / (v_squared + reach)));
+    let (of_u, of_v) = (u_squared / (u_squared + reach), v_squared / (v_squared + reach));
+    // The longer side makes up for what the shorter one gave up.
+    let (i, j) = if u_squared >= v_squared {
+        (along(at(zero, j * of_v), u, u_squared).0 * of_u, j * of_v)
+    } else {
+        (i * of_u, along(at(i * of_u, zero), v, v_squared).0 * of_v)
+    };
     let first = at(i, j);
     let s = [0, 1].map(|k| slope[k] + i * footprint.u[k] + j * footprint.v[k]);
 
@@ -52,24 +58,33 @@ pub(super) fn secant_ratio<R: Real>(
 #[inline]
 fn densest<R: Real>(whitened: &Whitened<R>, u_squared: R, v_squared: R) -> [R; 2] {
     let Whitened { centre, u, v } = *whitened;
-    let (half, least) = (R::HALF, R::MIN_POSITIVE);
+    let half = R::HALF;
     let cross = |a: [R; 2], b: [R; 2]| a[0] * b[1] - a[1] * b[0];
     let area = cross(u, v);
     let (i, j) = (-(cross(centre, v) / area), cross(centre, u) / area);
-    // False for a footprint without area.
+    // Of nearly parallel sides the area is rounding: they are one segment, end to end.
+    if area * area <= R::lit(1e-6) * u_squared * v_squared {
+        let sign = if dot(u, v) < R::ZERO { -R::ONE } else { R::ONE };
+        let both = [u[0] + sign * v[0], u[1] + sign * v[1]];
+        let t = along(centre, both, dot(both, both)).0;
+        return [t, sign * t];
+    }
     if i.abs() <= half && j.abs() <= half {
         return [i, j];
     }
     let from = |side: [R; 2], t: R| [centre[0] + t * side[0], centre[1] + t * side[1]];
-    let along = |start: [R; 2], side: [R; 2], squared: R| {
-        let t = (-dot(start, side) / squared.max(least)).min(half).max(-half);
-        let end = [start[0] + t * side[0], start[1] + t * side[1]];
-        (t, dot(end, end))
-    };
     let edges = [-half, half].map(|t| {
         let ((j, far), (i, farther)) =
             (along(from(u, t), v, v_squared), along(from(v, t), u, u_squared));
         if far <= farther { (far, [t, j]) } else { (farther, [i, t]) }
     });
     if edges[0].0 <= edges[1].0 { edges[0].1 } else { edges[1].1 }
+}
+
+/// The point nearest to the origin on a side through `start`, half of it each way: in sides, and its squared distance.
+#[inline(always)]
+fn along<R: Real>(start: [R; 2], side: [R; 2], squared: R) -> (R, R) {
+    let t = (-dot(start, side) / squared.max(R::MIN_POSITIVE)).min(R::HALF).max(-R::HALF);
+    let end = [start[0] + t * side[0], start[1] + t * side[1]];
+    (t, dot(end, end))
 }
