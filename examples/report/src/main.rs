@@ -94,12 +94,14 @@ fn run(options: &Options) -> Result<(), Mistake> {
     bar.finish_and_clear();
     print(&report.kernels_text());
     print(&report.advice_text());
-    if let Some(cover) = report.cover() {
-        output.write(output::COVER, &cover)?;
+    let cover = report.cover();
+    if let Some(cover) = &cover {
+        output.write(output::COVER, &cover.file)?;
     }
+    output.write(output::ADVICE, report.advice_markdown().as_bytes())?;
     output.write(output::DATA, &report.json().map_err(Mistake)?)?;
     let path = output.write(output::PAGE, report.html(&methods).as_bytes())?;
-    print(&format!("{}Page: {}\n", report.summary_text(), path.display()));
+    print(&format!("{}Page: {}\n", report.summary_text(cover.as_ref()), path.display()));
     Ok(())
 }
 

@@ -61,7 +61,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "N", value_parser = width, allow_negative_numbers = true)]
     pub(crate) size: Option<usize>,
 
-    /// Folder for index.html, report.json and cover.png; made if it does not exist.
+    /// Folder for index.html, report.json, advice.md and cover.png; made if it does not exist.
     #[arg(long, value_name = "DIR", default_value = "target/report")]
     pub(crate) out: PathBuf,
 }

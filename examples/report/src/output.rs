@@ -17,6 +17,9 @@ pub(crate) const PAGE: &str = "index.html";
 /// Name of the results for programs.
 pub(crate) const DATA: &str = "report.json";
 
+/// Name of the advice as a Markdown table.
+pub(crate) const ADVICE: &str = "advice.md";
+
 /// Name of the picture: one scene unfiltered, filtered, and as it should be.
 pub(crate) const COVER: &str = "cover.png";
 
@@ -28,7 +31,7 @@ impl Output {
             Mistake(format!("--out '{}': cannot be written to ({error})", folder.display()))
         };
         fs::create_dir_all(folder).map_err(|error| refused(&error))?;
-        for name in [PAGE, COVER, DATA] {
+        for name in [PAGE, COVER, DATA, ADVICE] {
             if folder.join(name).is_dir() {
                 return Err(refused(&format!("{name} is a folder there")));
             }

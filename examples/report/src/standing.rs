@@ -16,6 +16,8 @@ pub(crate) struct Standing {
     pub(crate) ratio: f64,
     /// The same against the box.
     pub(crate) box_ratio: f64,
+    /// The same of SMAPE, which weighs dark pixels as bright ones.
+    pub(crate) smape_ratio: f64,
     /// The largest ratio, and where.
     pub(crate) worst: f64,
     pub(crate) worst_scene: String,
@@ -64,12 +66,15 @@ pub(crate) fn standings(
 /// The method of a row's index over panels that have the same methods.
 fn standing(panels: &[(&Study, &Panel)], index: usize) -> Standing {
     let count = panels.len() as f64;
-    let (mut logs, mut box_logs, mut worst, mut worst_scene) = (0.0, 0.0, 0.0, "");
+    let (mut logs, mut box_logs, mut smape_logs) = (0.0, 0.0, 0.0);
+    let (mut worst, mut worst_scene) = (0.0, "");
     let (mut pixel, mut shading, mut operations) = (0.0, 0.0, Tally::default());
     for (study, panel) in panels {
         let row = &panel.rows[index];
-        let plain = panel.plain().map_or(f64::NAN, |plain| plain.errors.rmse);
+        let [plain, plain_smape] =
+            panel.plain().map_or([f64::NAN; 2], |plain| [plain.errors.rmse, plain.errors.smape]);
         let ratio = row.errors.rmse / plain;
+        smape_logs += (row.errors.smape / plain_smape).ln();
         logs += ratio.ln();
         box_logs += (row.box_errors.rmse / plain).ln();
         if ratio > worst {
@@ -86,6 +91,7 @@ fn standing(panels: &[(&Study, &Panel)], index: usize) -> Standing {
         derivatives: *derivatives,
         ratio: (logs / count).exp(),
         box_ratio: (box_logs / count).exp(),
+        smape_ratio: (smape_logs / count).exp(),
         worst,
         worst_scene: worst_scene.to_owned(),
         pixel,
@@ -105,18 +111,18 @@ pub(crate) fn advice(studies: &[Study], alphas: &[f64]) -> Vec<Advice> {
     let of = |family: Family| move |s: &Standing| s.family == family && in_quads(s);
     let filters = |s: &Standing| matches!(s.family, Family::Widened | Family::Area);
     let mean = |s: &Standing| s.ratio;
+    let smallest_error = least(&smooth, |s| filters(s) && in_quads(s), mean);
     let lines: [(&str, Option<&Standing>); 6] = [
-        (
-            "Forward shading with quads, the smallest error",
-            least(&smooth, |s| filters(s) && in_quads(s), mean),
-        ),
+        ("Forward shading with quads, the smallest error", smallest_error),
         (
             "The same, and a lobe must come out: many lights, area lights, sampling",
             least(&smooth, of(Family::Widened), mean),
         ),
         (
             "The same, and no scene may go wrong: smallest worst case",
-            least(&smooth, |s| filters(s) && in_quads(s), |s| s.worst),
+            // Unless it is the one above.
+            least(&smooth, |s| filters(s) && in_quads(s), |s| s.worst)
+                .filter(|safest| smallest_error.is_none_or(|best| best.name != safest.name)),
         ),
         (
             "Positions and curvature are known: ray tracing, compute, offline",
@@ -166,6 +172,7 @@ mod tests {
             derivatives: Derivatives::Quad,
             ratio,
             box_ratio: ratio,
+            smape_ratio: ratio,
             worst,
             worst_scene: String::new(),
             pixel: 1.0,

@@ -20,7 +20,11 @@ fn run(name: &str, arguments: &[&str]) -> (String, String) {
     let mut files: Vec<_> =
         fs::read_dir(&folder).unwrap().map(|f| f.unwrap().file_name()).collect();
     files.sort();
-    assert_eq!(files, ["cover.png", "index.html", "report.json"], "nothing unfinished");
+    assert_eq!(
+        files,
+        ["advice.md", "cover.png", "index.html", "report.json"],
+        "nothing unfinished"
+    );
     (
         String::from_utf8(output.stdout).unwrap(),
         fs::read_to_string(folder.join("index.html")).unwrap(),

@@ -2,6 +2,7 @@
 
 mod axis;
 mod chart;
+mod gallery;
 mod kernels;
 mod measure;
 mod overall;
@@ -23,6 +24,7 @@ use crate::timing;
 use section::{equal_samples, equal_time};
 use table::{Line, Table, significant};
 
+pub(crate) use gallery::Cover;
 pub(crate) use section::text;
 pub(crate) use sequence::text as sequence_text;
 
@@ -51,8 +53,8 @@ impl Report {
         kernels::text(&self.kernels)
     }
 
-    /// One line per scene and distribution: the best filter, its cost and what it saves.
-    pub(crate) fn summary_text(&self) -> String {
+    /// One line per scene and distribution: the best filter, its cost and what it saves; then what the cover shows.
+    pub(crate) fn summary_text(&self, cover: Option<&Cover>) -> String {
         let rows = self.findings().map(|(study, panel, best)| Line {
             cells: vec![
                 format!("{}, {}", study.name, panel.distribution.name()),
@@ -67,7 +69,10 @@ impl Report {
         let headers =
             &["Scene", "Best filter", "RMSE", "ns per pixel", "Equal samples", "Equal time"];
         let table = Table { headers, rows: rows.collect() };
-        format!("\n{}{}\n", table.text(), self.conditions())
+        let cover = cover.map(|cover| {
+            format!("Cover: {}, without a filter, with {}, reference.\n", cover.scene, cover.filter)
+        });
+        format!("\n{}{}\n{}", table.text(), self.conditions(), cover.unwrap_or_default())
     }
 
     /// What to use when, as text.
@@ -94,13 +99,14 @@ impl Report {
         advice(&self.studies, &self.effort.alphas)
     }
 
-    /// The scene that needs a filter most, without one, with the best, and as it should be: a PNG file.
-    pub(crate) fn cover(&self) -> Option<Vec<u8>> {
-        let error = |study: &&Study| {
-            study.panels.first().and_then(Panel::plain).map_or(0.0, |row| row.errors.rmse)
-        };
-        let worst = self.studies.iter().max_by(|a, b| error(a).total_cmp(&error(b)))?;
-        section::cover(worst)
+    /// The scene that a filter mends most, without one, with the best, and as it should be.
+    pub(crate) fn cover(&self) -> Option<Cover> {
+        gallery::cover(&self.studies)
+    }
+
+    /// What to use when, as a table for README.
+    pub(crate) fn advice_markdown(&self) -> String {
+        overall::advice_table(&self.advice()).markdown()
     }
 
     /// Everything that was measured, for programs.

@@ -15,20 +15,22 @@ pub(super) fn advice_table(advice: &[Advice]) -> Table {
                 standing.name.clone(),
                 alpha.to_string(),
                 significant(standing.ratio),
+                significant(standing.smape_ratio),
                 format!("{} ({})", significant(standing.worst), standing.worst_scene),
                 format!("{cost:+.0} ns"),
             ],
             class: "",
         }
     });
-    let headers = &["You have", "Use", "Alpha", "Error", "Worst scene", "Cost"];
+    let headers = &["You have", "Use", "Alpha", "Error", "SMAPE", "Worst scene", "Cost"];
     Table { headers, rows: rows.collect() }
 }
 
 /// What the numbers of the advice mean.
 pub(super) const ADVICE_NOTE: &str = "Derived from this run. Error: RMSE over that of one unfiltered sample, geometric mean over all scenes and \
-     lights, each method against a reference of its own pixel filter; worst scene: the largest such ratio. Cost: nanoseconds of shading per \
-     sample over no filter.";
+     lights, each method against a reference of its own pixel filter; worst scene: the largest such ratio. SMAPE: the same \
+     of the mean relative error, where dark pixels count as much as bright ones: no wider GGX has the filtered lobe's tail, and \
+     all of them glow around a highlight; the exact mean does not. Cost: nanoseconds of shading per sample over no filter.";
 
 /// Every method over all scenes.
 pub(super) fn standings_table(standings: &[Standing]) -> Table {
@@ -38,6 +40,7 @@ pub(super) fn standings_table(standings: &[Standing]) -> Table {
             family(s.family).into(),
             significant(s.ratio),
             significant(s.box_ratio),
+            significant(s.smape_ratio),
             significant(s.worst),
             s.worst_scene.clone(),
             significant(s.pixel),
@@ -45,8 +48,17 @@ pub(super) fn standings_table(standings: &[Standing]) -> Table {
         ],
         class: if s.family == Family::Supersampling { "plain" } else { "" },
     });
-    let headers =
-        &["Method", "Kind", "Error", "Error, box", "Worst", "Worst scene", "ns per pixel", "Front"];
+    let headers = &[
+        "Method",
+        "Kind",
+        "Error",
+        "Error, box",
+        "SMAPE",
+        "Worst",
+        "Worst scene",
+        "ns per pixel",
+        "Front",
+    ];
     Table { headers, rows: rows.collect() }
 }
 

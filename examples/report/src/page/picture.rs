@@ -55,18 +55,25 @@ impl Tone {
     /// and height, every pixel as two by two.
     pub(super) fn strip(self, size: Size, pictures: &[&[f64]]) -> Vec<u8> {
         let (width, height) = (size.width / 2, size.height / 2);
-        let corner = size.height / 4 * size.width + size.width / 4;
         let mut grey = Vec::new();
         for row in 0..2 * height {
             for (n, picture) in pictures.iter().enumerate() {
                 if n > 0 {
                     grey.extend([255; GAP]);
                 }
-                let pixels = &picture[corner + row / 2 * size.width..][..width];
-                grey.extend(pixels.iter().flat_map(|&x| [self.byte(x); 2]));
+                grey.extend(middle(size, picture, row / 2).iter().flat_map(|&x| [self.byte(x); 2]));
             }
         }
         encode(pictures.len() * (2 * width + GAP) - GAP, 2 * height, &grey)
+    }
+
+    /// How far the middles of two pictures differ as they are shown, mean over pixels, in steps of 255.
+    pub(super) fn difference(self, size: Size, a: &[f64], b: &[f64]) -> f64 {
+        let rows = (0..size.height / 2).map(|row| {
+            let pixels = middle(size, a, row).iter().zip(middle(size, b, row));
+            pixels.map(|(&a, &b)| f64::from(self.byte(a).abs_diff(self.byte(b)))).sum::<f64>()
+        });
+        rows.sum::<f64>() / (size.width / 2 * (size.height / 2)) as f64
     }
 }
 
@@ -76,6 +83,11 @@ pub(super) fn linear(size: Size, values: &[f64]) -> String {
     #[allow(clippy::cast_sign_loss)]
     let grey: Vec<u8> = values.iter().map(|x| (255.0 * x.clamp(0.0, 1.0) + 0.5) as u8).collect();
     format!("data:image/png;base64,{}", STANDARD.encode(encode(size.width, size.height, &grey)))
+}
+
+/// A row of the middle of a picture, half as wide and high.
+fn middle(size: Size, picture: &[f64], row: usize) -> &[f64] {
+    &picture[(size.height / 4 + row) * size.width + size.width / 4..][..size.width / 2]
 }
 
 /// White pixels between the pictures of a strip.
@@ -123,6 +135,7 @@ mod tests {
         for row in [1, 2] {
             bright[row * 8 + 2..row * 8 + 6].fill(1e9);
         }
+        assert_eq!(Tone::of(&[1.0]).difference(size, &dark, &bright), 255.0);
         let file = Tone::of(&[1.0]).strip(size, &[&dark, &bright]);
         let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];

@@ -1,6 +1,6 @@
 //! A scene's part of the page, and the same as text for the terminal.
 
-use super::picture::{self, Tone};
+use super::gallery::pictures;
 use super::table::{Line, Table, significant};
 use super::{escape, plot};
 use crate::method::Distribution;
@@ -10,9 +10,6 @@ use crate::window::PixelWindow;
 
 /// A reference whose noise exceeds this part of the best filter's error is not called converged.
 const CONVERGED: f64 = 0.1;
-
-/// Width of a column of pictures, as in style.css.
-const COLUMN: usize = 560;
 
 /// What stands for a number that there is none of.
 const NONE: &str = "\u{2013}";
@@ -239,76 +236,4 @@ fn warnings(panel: &Panel) -> Vec<String> {
         .worse_than_plain()
         .map(|row| format!("{} has a larger RMSE than no filter here.", row.name));
     unsure.into_iter().chain(worse).collect()
-}
-
-/// Pictures of a panel on its scale, black where it is not judged: unfiltered, best filter, reference. `None`
-/// if they were not kept.
-fn scaled_pictures(study: &Study, panel: &Panel) -> Option<[Vec<f64>; 3]> {
-    let scaled = |values: &mut dyn Iterator<Item = f64>| -> Vec<f64> {
-        let pixels = values.zip(&study.judged);
-        pixels.map(|(x, judged)| if *judged { x * panel.scale } else { 0.0 }).collect()
-    };
-    let picture = |row: &Row| -> Option<Vec<f64>> {
-        Some(scaled(&mut row.picture.as_ref()?.iter().map(|&x| f64::from(x))))
-    };
-    let reference = scaled(&mut panel.reference.as_ref()?.iter().copied());
-    Some([picture(panel.plain()?)?, picture(panel.best()?)?, reference])
-}
-
-/// Unfiltered, best and reference of the first distribution side by side, as a PNG file.
-pub(super) fn cover(study: &Study) -> Option<Vec<u8>> {
-    let [plain, best, reference] = scaled_pictures(study, study.panels.first()?)?;
-    Some(Tone::of(&reference).strip(study.size, &[&plain, &best, &reference]))
-}
-
-/// Where quads and analytic derivatives disagree: Kaplanyan et al. 2016, Fig. 7.
-fn footprints(study: &Study) -> String {
-    let Some(footprints) = &study.disagreement else { return String::new() };
-    let caption = "Footprints of 2 \u{d7} 2 differences against analytic ones: area of non-overlap over the larger \
-                   area; black is none, white all of it (Kaplanyan et al. 2016, Fig. 7)";
-    figure(study, caption, &picture::linear(study.size, &footprints.map))
-}
-
-/// A picture of a scene with its caption.
-fn figure(study: &Study, caption: &str, url: &str) -> String {
-    let scene = escape(&study.name);
-    // Whole multiples keep pixels square and of one size.
-    let zoom = (COLUMN / study.size.width).max(1);
-    format!(
-        "<figure><img alt=\"{scene}: {caption}\" width=\"{}\" height=\"{}\" src=\"{url}\">\
-         <figcaption>{caption}</figcaption></figure>\n",
-        zoom * study.size.width,
-        zoom * study.size.height,
-    )
-}
-
-/// Unfiltered, best, reference and the difference of the last two.
-fn pictures(study: &Study, panel: &Panel) -> String {
-    let (Some([plain, filtered, reference]), Some(best)) =
-        (scaled_pictures(study, panel), panel.best())
-    else {
-        return String::new();
-    };
-    let difference: Vec<_> = filtered.iter().zip(&reference).map(|(x, r)| (x - r).abs()).collect();
-    let name = escape(&best.name);
-
-    let tone = Tone::of(&reference);
-    let figures = [
-        ("No filter, 1 sample per pixel".into(), &plain),
-        (format!("Best filter, {name}, 1 sample per pixel"), &filtered),
-        ("Reference".into(), &reference),
-        (format!("|{name} \u{2212} reference|"), &difference),
-    ];
-    let figures = figures
-        .map(|(caption, values)| figure(study, &caption, &tone.data_url(study.size, values)));
-    format!(
-        "<div class=\"pictures\">\n{}{}</div>\n<p class=\"note\">{}, the first four under the same tone curve, \
-         1 \u{2212} exp(\u{2212}kx) in sRGB: the reference\u{2019}s 99th percentile, {} times its mean, \
-         is {:.0} % of white.</p>\n",
-        figures.concat(),
-        footprints(study),
-        panel.distribution.name(),
-        significant(tone.bright),
-        100.0 * picture::WHITE,
-    )
 }

@@ -34,6 +34,18 @@ impl Table {
         [head].into_iter().chain(body).collect::<Vec<_>>().concat()
     }
 
+    /// As a Markdown table.
+    pub(super) fn markdown(&self) -> String {
+        let row = |cells: &mut dyn Iterator<Item = &str>| {
+            let cells = cells.map(|cell| format!(" {} |", cell.replace('|', "\\|")));
+            format!("|{}\n", cells.collect::<Vec<_>>().concat())
+        };
+        let head = row(&mut self.headers.iter().copied());
+        let rule = format!("|{}\n", "---|".repeat(self.headers.len()));
+        let body = self.rows.iter().map(|line| row(&mut line.cells.iter().map(String::as_str)));
+        [head, rule].into_iter().chain(body).collect::<Vec<_>>().concat()
+    }
+
     /// As a table element.
     pub(super) fn html(&self) -> String {
         let row = |tag: &str, cells: &mut dyn Iterator<Item = &str>| {
@@ -90,11 +102,12 @@ mod tests {
     }
 
     #[test]
-    fn text_is_aligned_and_html_is_escaped() {
+    fn tables_are_aligned_text_and_escaped_html_and_markdown() {
         let line = |a: &str, b: &str| Line { cells: vec![a.into(), b.into()], class: "" };
         let table =
             Table { headers: &["name", "ns"], rows: vec![line("a<b", "1234"), line("c", "5")] };
         assert_eq!(table.text(), "name    ns\na<b   1234\nc        5\n");
         assert!(table.html().contains("a&lt;b"));
+        assert_eq!(table.markdown(), "| name | ns |\n|---|---|\n| a<b | 1234 |\n| c | 5 |\n");
     }
 }
