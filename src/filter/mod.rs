@@ -6,7 +6,7 @@
 //! - Polygons average its density exactly: [`Ndf::parallelogram_mean`](crate::Ndf::parallelogram_mean),
 //!   [`Ndf::brdf_over`](crate::Ndf::brdf_over).
 //! - Before the light is known, roughness is filtered by the normal's change: `*_deferred_alpha`.
-//! - What papers and engines have, to reproduce and to compare: [`published`], [`preset`].
+//! - What papers and engines have, to reproduce and to compare: `kaplanyan_*`, [`preset`].
 
 mod beckmann;
 mod deferred;
@@ -19,7 +19,7 @@ mod polygon;
 pub mod preset;
 mod projected;
 mod proxy;
-pub mod published;
+mod published;
 mod secant;
 mod segment;
 mod strip;

@@ -23,7 +23,8 @@ use crate::slope::{Footprint, Roughness};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DiskKernel<R> {
-    covariance: Psd<R>,
+    /// The same numbers, as a kernel that does not know its space.
+    as_slopes: Kernel<R>,
 }
 
 impl<R: Real> DiskKernel<R> {
@@ -32,7 +33,7 @@ impl<R: Real> DiskKernel<R> {
     /// Source: Tokuyoshi & Kaplanyan 2021, Eq. 3, there with [`PixelFilter::TOKUYOSHI_KAPLANYAN`].
     #[inline]
     pub fn of(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>, filter: PixelFilter) -> Self {
-        Self { covariance: Kernel::of(&Footprint::from_slopes(u, v), filter).covariance() }
+        Self { as_slopes: Kernel::of(&Footprint::from_slopes(u, v), filter) }
     }
 
     /// The kernel of the bounding rectangle along the frame's axes: with a lobe along the axes it stays there.
@@ -46,32 +47,31 @@ impl<R: Real> DiskKernel<R> {
     /// ```
     #[inline]
     pub fn of_bounding(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>, filter: PixelFilter) -> Self {
-        let bounding = Footprint::from_slopes(u, v).bounding();
-        Self { covariance: Kernel::of(&bounding, filter).covariance() }
+        Self { as_slopes: Kernel::of(&Footprint::from_slopes(u, v).bounding(), filter) }
     }
 
     /// A kernel of this covariance.
     #[inline]
     pub fn from_covariance(covariance: Psd<R>) -> Self {
-        Self { covariance }
+        Self { as_slopes: Kernel::from_covariance(covariance) }
     }
 
     /// The covariance.
     #[inline]
     pub fn covariance(&self) -> Psd<R> {
-        self.covariance
+        self.as_slopes.covariance()
     }
 
     /// Two kernels one after the other: covariances add.
     #[must_use]
     pub fn then(&self, other: &Self) -> Self {
-        Self { covariance: self.covariance.plus(&other.covariance) }
+        Self { as_slopes: self.as_slopes.then(&other.as_slopes) }
     }
 
     /// The kernel with the alpha^2 that it adds limited to `limit` along each axis, as [`Kernel::capped`].
     #[must_use]
     pub fn capped(&self, limit: R) -> Self {
-        Self { covariance: self.covariance.capped(R::HALF * limit) }
+        Self { as_slopes: self.as_slopes.capped(limit) }
     }
 
     /// The kernel used in slope space as it is: Tokuyoshi's deliberate narrowing, and the practical approximation of
@@ -90,7 +90,7 @@ impl<R: Real> DiskKernel<R> {
     /// ```
     #[inline]
     pub fn as_slopes(&self) -> Kernel<R> {
-        Kernel::from_covariance(self.covariance)
+        self.as_slopes
     }
 }
 
@@ -120,7 +120,7 @@ impl<R: Real> Roughness<R> {
     #[must_use]
     #[inline]
     pub fn widened_on_disk(&self, kernel: &DiskKernel<R>) -> Self {
-        let added = bounded(kernel.covariance.scaled(R::TWO));
+        let added = bounded(kernel.covariance().scaled(R::TWO));
         let matrix = self.matrix();
         // det (I - A), as the product of 1 - a; both factors may be negative.
         let complement = R::ONE - matrix.trace() + matrix.det();

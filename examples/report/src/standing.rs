@@ -66,17 +66,18 @@ pub(crate) fn standings(
 /// The method of a row's index over panels that have the same methods.
 fn standing(panels: &[(&Study, &Panel)], index: usize) -> Standing {
     let count = panels.len() as f64;
-    let (mut logs, mut box_logs, mut smape_logs) = (0.0, 0.0, 0.0);
+    let over_plain = |panel: &Panel, error: fn(&Row) -> f64| {
+        error(&panel.rows[index]) / panel.plain().map_or(f64::NAN, error)
+    };
+    let geometric_mean = |error: fn(&Row) -> f64| {
+        let logs = panels.iter().map(|(_, panel)| over_plain(panel, error).ln());
+        (logs.sum::<f64>() / count).exp()
+    };
     let (mut worst, mut worst_scene) = (0.0, "");
     let (mut pixel, mut shading, mut operations) = (0.0, 0.0, Tally::default());
     for (study, panel) in panels {
         let row = &panel.rows[index];
-        let [plain, plain_smape] =
-            panel.plain().map_or([f64::NAN; 2], |plain| [plain.errors.rmse, plain.errors.smape]);
-        let ratio = row.errors.rmse / plain;
-        smape_logs += (row.errors.smape / plain_smape).ln();
-        logs += ratio.ln();
-        box_logs += (row.box_errors.rmse / plain).ln();
+        let ratio = over_plain(panel, |row| row.errors.rmse);
         if ratio > worst {
             (worst, worst_scene) = (ratio, &study.name);
         }
@@ -89,9 +90,9 @@ fn standing(panels: &[(&Study, &Panel)], index: usize) -> Standing {
         name: name.clone(),
         family: *family,
         derivatives: *derivatives,
-        ratio: (logs / count).exp(),
-        box_ratio: (box_logs / count).exp(),
-        smape_ratio: (smape_logs / count).exp(),
+        ratio: geometric_mean(|row| row.errors.rmse),
+        box_ratio: geometric_mean(|row| row.box_errors.rmse),
+        smape_ratio: geometric_mean(|row| row.errors.smape),
         worst,
         worst_scene: worst_scene.to_owned(),
         pixel,

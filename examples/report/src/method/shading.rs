@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 use lobe::filter::{DiskKernel, beckmann_rectangle_mean, kaplanyan_rectangle_mean};
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
 use lobe::slope::direction::slope_of;
-use lobe::{Distribution, Footprint, Full, Kernel, Ndf, PixelFilter, Real, Shape};
+use lobe::{Distribution, Footprint, Full, Kernel, Ndf, PixelFilter, Real, Roughness, Shape};
 
 use super::material::Material;
 use super::pixel::Pixel;
@@ -23,6 +23,12 @@ pub(super) trait Shade {
 #[inline]
 pub(super) fn lit<R: Real>(brdf: R, sample: &Sample<R>) -> R {
     brdf * sample.wi[2] * sample.strength
+}
+
+/// The same of a lobe in place of the material's.
+#[inline]
+pub(super) fn lit_by<D: Distribution, R: Real>(roughness: Roughness<R>, sample: &Sample<R>) -> R {
+    lit(Ndf::<D, _>::new(Full::new(roughness)).brdf(sample.wo, sample.wi), sample)
 }
 
 /// One sample, no filter.
@@ -45,24 +51,7 @@ impl<D: Distribution> Shade for Widened<D> {
     #[inline]
     fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
         let kernel = Kernel::of(&pixel.footprint(), self.0);
-        let shape = Full::new(material.roughness.widened(&kernel));
-        let sample = pixel.sample();
-        lit(Ndf::<D, _>::new(shape).brdf(sample.wo, sample.wi), sample)
-    }
-}
-
-/// Disk derivatives used unchanged, a wide kernel, a cap on what it adds.
-#[derive(Clone)]
-pub(super) struct Tokuyoshi;
-
-impl Shade for Tokuyoshi {
-    #[inline]
-    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
-        let limit = S::Scalar::lit(Kernel::<S::Scalar>::ALPHA_SQUARED_LIMIT);
-        let kernel = Kernel::of(&pixel.narrowed_footprint(), PixelFilter::KAPLANYAN).capped(limit);
-        let shape = Full::new(material.roughness.widened(&kernel));
-        let sample = pixel.sample();
-        lit(Ndf::<GgxDistribution, _>::new(shape).brdf(sample.wo, sample.wi), sample)
+        lit_by::<D, _>(material.roughness.widened(&kernel), pixel.sample())
     }
 }
 
@@ -73,6 +62,8 @@ pub(super) enum Widening {
     Fitted(PixelFilter),
     /// The bounding rectangle's widths, squared: Kaplanyan's GGX proxy.
     Proxy,
+    /// Disk derivatives used unchanged, a wide kernel, a cap on what it adds.
+    Tokuyoshi,
     /// On the projected disk, there and back.
     Projected(PixelFilter),
     /// The same for the bounding rectangle on the disk, with a cap on what it adds.
@@ -91,6 +82,10 @@ impl Shade for Widening {
                 let rectangle = pixel.footprint().bounding_within(widths);
                 roughness.widened(&Kernel::of(&rectangle, PixelFilter::KAPLANYAN_PROXY))
             }
+            Self::Tokuyoshi => {
+                let kernel = Kernel::of(&pixel.narrowed_footprint(), PixelFilter::KAPLANYAN);
+                roughness.widened(&kernel.capped(limit))
+            }
             Self::Projected(filter) => {
                 let steps = pixel.narrowed_footprint();
                 roughness.widened_on_disk(&DiskKernel::of(steps.u, steps.v, filter))
@@ -101,9 +96,7 @@ impl Shade for Widening {
                 roughness.widened_on_disk(&kernel)
             }
         };
-        let sample = pixel.sample();
-        let ggx = Ndf::<GgxDistribution, _>::new(Full::new(widened));
-        lit(ggx.brdf(sample.wo, sample.wi), sample)
+        lit_by::<GgxDistribution, _>(widened, pixel.sample())
     }
 }
 

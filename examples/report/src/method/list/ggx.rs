@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use lobe::PixelFilter;
 use lobe::ndf::GgxDistribution;
 
-use super::super::shading::{Parallelogram, Rectangle, Tokuyoshi, Widened, Widening};
+use super::super::shading::{Parallelogram, Rectangle, Widened, Widening};
 use super::super::{Distribution, Family, Method};
 use super::Filter;
 use crate::window::PixelWindow;
@@ -37,7 +37,7 @@ pub(super) fn widened() -> Vec<Method> {
         "Tokuyoshi 2017, Listing 1",
         "Derivatives on the projected disk used as slopes, variance 1/4, added alpha^2 at most 0.18.",
         PixelWindow::GaussianQuarter,
-        Tokuyoshi,
+        Widening::Tokuyoshi,
     );
     let unit_peak = PixelFilter::TOKUYOSHI_KAPLANYAN;
     let mut methods = Vec::from(widened.both());
