@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Everything that must hold before a change is merged. Needs Rust 1.89 or newer with rustup and a C
-# compiler's linker; rustfmt and clippy are installed where they are missing.
+# compiler's linker; rustfmt, clippy and, through apt-get, a Vulkan driver for the CPU are installed
+# where they are missing.
 #
 #   ./test.sh          all of it
 #   ./test.sh --fast   without release builds: no validate, no benches, no fuzz targets
@@ -14,7 +15,7 @@ for argument in "$@"; do
     case "$argument" in
     --fast) fast=true ;;
     -h | --help)
-        sed -n '2,8s/^# \{0,1\}//p' "$0"
+        sed -n '2,9s/^# \{0,1\}//p' "$0"
         exit 0
         ;;
     *)
@@ -55,6 +56,82 @@ for component in rustfmt clippy; do
     fi
 done
 
+# Mesa's Vulkan driver for the CPU and the loader that finds it, by their files alone: a package
+# manager is asked only where one is missing.
+lavapipe=
+find_lavapipe() {
+    local icd library folder
+    local loaders=(/usr/lib/"$(uname -m)"-linux-gnu /usr/lib64 /usr/lib /usr/local/lib)
+    for icd in {/usr/share,/usr/local/share,/etc}/vulkan/icd.d/lvp_icd{".$(uname -m)",}.json; do
+        [[ -r $icd ]] || continue
+        library=$(sed -n 's/.*"library_path" *: *"\([^"]*\)".*/\1/p' "$icd")
+        # Absolute, next to the description, or where the loader looks.
+        for folder in "" "${icd%/*}/" "${loaders[@]/%//}"; do
+            [[ -n $library && -e $folder$library ]] && lavapipe=$icd
+        done
+    done
+    [[ -n $lavapipe ]] || return 1
+    for folder in "${loaders[@]}"; do
+        if [[ -e $folder/libvulkan.so.1 ]]; then return; fi
+    done
+    return 1
+}
+
+# GPU tests that skip themselves prove nothing, so a driver is installed, or this fails.
+install_lavapipe() {
+    local packages=(libvulkan1 mesa-vulkan-drivers) optional=() root=() try
+    local advice="the GPU tests need a Vulkan driver: install ${packages[*]} (Debian, Ubuntu), or \
+elsewhere the Vulkan loader and Mesa's lavapipe"
+    command -v apt-get >/dev/null || fail "$advice"
+    if ((EUID != 0)); then
+        sudo -n true 2>/dev/null || fail "$advice; neither root nor sudo without password here"
+        root=(sudo -n)
+    fi
+    command -v spirv-val >/dev/null || optional+=(spirv-tools)
+    command -v glslangValidator >/dev/null || optional+=(glslang-tools)
+    local apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq
+        -o DPkg::Lock::Timeout=120)
+    for try in 1 2 3; do
+        # The validators must not stand in the driver's way.
+        if ((try == 3)); then optional=(); fi
+        # Lists may be missing or old; one broken source among them need not matter.
+        "${apt[@]}" update || true
+        if "${apt[@]}" install -y --no-install-recommends "${packages[@]}" "${optional[@]}" >"$log" &&
+            find_lavapipe; then return; fi
+        cat "$log"
+        echo "try $try of 3 failed" >&2
+    done
+    fail "$advice; apt-get failed three times"
+}
+
+# Lavapipe first, then Chromium's SwiftShader as a second opinion, then real GPUs if there are any.
+vulkan_drivers() {
+    local icd drivers=$lavapipe
+    for icd in /usr/lib{,64}/chromium{,-browser}/vk_swiftshader_icd.json \
+        /opt/google/chrome/vk_swiftshader_icd.json; do
+        if [[ -e $icd && -e ${icd%/*}/libvk_swiftshader.so ]]; then drivers+=:$icd && break; fi
+    done
+    if compgen -G "/dev/nvidia0" >/dev/null || compgen -G "/dev/dri/renderD*" >/dev/null; then
+        for icd in {/usr/share,/etc}/vulkan/icd.d/*.json; do
+            if [[ -e $icd && $icd != *lvp_icd* && $icd != *.i686.json ]]; then drivers+=:$icd; fi
+        done
+    fi
+    echo "$drivers"
+}
+
+step "Vulkan driver"
+if [[ -z ${VK_DRIVER_FILES:-} ]]; then
+    find_lavapipe || install_lavapipe
+    VK_DRIVER_FILES=$(vulkan_drivers)
+fi
+# The second name is for loaders before 1.3.207; the last one keeps a layer of Mesa's from complaining
+# where there is no desktop.
+export VK_DRIVER_FILES VK_ICD_FILENAMES=$VK_DRIVER_FILES NODEVICE_SELECT=1
+echo "   $VK_DRIVER_FILES"
+for tool in spirv-val glslangValidator; do
+    command -v "$tool" >/dev/null || skip "checks by $tool, which is not installed"
+done
+
 step "Format"
 cargo fmt --all -- --check
 rustfmt --edition 2024 --check tests/no_std/src/lib.rs fuzz/fuzz_targets/*.rs
@@ -63,7 +140,7 @@ step "Lints: workspace, all targets"
 cargo clippy --workspace --all-targets -- -D warnings
 
 step "Features: every combination builds without warnings"
-for features in std libm std,libm std,count std,glam libm,glam std,libm,glam; do
+for features in std libm std,libm std,probe std,glam libm,glam std,libm,glam; do
     echo "   $features"
     cargo clippy --quiet --package lobe --no-default-features --features "$features" -- -D warnings
 done
@@ -83,13 +160,32 @@ step "Tests: laws, golden tables, corpus, doc tests"
 tests=$(mktemp)
 trap 'rm -f "$log" "$tests"' EXIT
 failures=()
-cargo test --workspace --features count --no-fail-fast 2>&1 | tee "$tests" || failures+=("tests")
+cargo test --workspace --features probe --no-fail-fast 2>&1 | tee "$tests" || failures+=("tests")
+
+# Chrome's WGSL compiler refuses what naga accepts: derivatives that not every pixel of a quad reaches.
+tint=tests/gpu/tint
+tint_installed() {
+    [[ $tint/node_modules/.package-lock.json -nt $tint/package-lock.json ]] ||
+        npm ci --prefix "$tint" --no-audit --no-fund >"$log" 2>&1
+}
+if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
+    skip "Tint on the WGSL: node and npm are not installed"
+elif ! tint_installed; then
+    skip "Tint on the WGSL: npm could not install it: $(grep -i -m 1 'npm err' "$log")"
+else
+    step "Tint on the WGSL"
+    node "$tint/check.mjs" "$CARGO_TARGET_DIR/debug/examples/wgsl" || failures+=("Tint")
+fi
 
 if $fast; then
     skip "validate, benches, fuzz targets (--fast)"
 else
     step "validate: the library against its golden tables, as a user runs it"
     cargo run --quiet --release --example validate || failures+=("validate")
+
+    step "WGSL without the feature published: its items are named, the rest is whole"
+    cargo test --quiet --package lobe --no-default-features --features std,wgsl --test wgsl ||
+        failures+=("WGSL without published")
 
     step "Benches build"
     cargo bench --workspace --no-run --quiet

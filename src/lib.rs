@@ -42,6 +42,7 @@
 //! - [`filter`] has the rest: exact means over polygons, proxies with the right peak, filtering on the projected disk,
 //!   roughness for G-buffers, area lights, what engines ship, the papers' formulas as printed.
 //! - [`shade`] puts it together for a renderer that wants one call per light.
+//! - [`mod@wgsl`] has all of it for shaders, and gives out what one needs.
 //!
 //! # Notation
 //!
@@ -88,7 +89,9 @@
 //! |---|---|
 //! | `std` (default) | square root, sine and cosine from the standard library |
 //! | `libm` | the same from `libm`, for `no_std` |
-//! | `count` | `count::Counted`: a number that counts the operations done with it |
+//! | `published` (default) | what papers and engines have, to compare: `filter::preset`, `filter::kaplanyan_*` |
+//! | `wgsl` (default) | the same functions in WGSL, as text: [`mod@wgsl`]; needs an allocator |
+//! | `probe` | precisions that measure (operations, contraction, rounding): for reports and checks, not for shading |
 //! | `glam` | `From` and `TryFrom` between [`Psd`] and `glam::Mat2`, `glam::DMat2` |
 //!
 //! # What it is not
@@ -98,6 +101,8 @@
 //! what each costs and how wrong it is.
 #![forbid(unsafe_code)]
 #![no_std]
+#[cfg(feature = "wgsl")]
+extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
@@ -108,12 +113,14 @@ pub mod ndf;
 mod scalar;
 pub mod shade;
 pub mod slope;
+#[cfg(feature = "wgsl")]
+pub mod wgsl;
 
 pub use error::Error;
 pub use filter::{Kernel, PixelFilter};
 pub use ndf::{Beckmann, Distribution, Ggx, Ndf};
-#[cfg(feature = "count")]
-pub use scalar::count;
+#[cfg(feature = "probe")]
+pub use scalar::probe;
 pub use scalar::{Eigen, Psd, Real};
 pub use slope::{
     Alphas, AxisAligned, Footprint, Full, Isotropic, Lobe, Path, Roughness, Shape, SlopeMoments,

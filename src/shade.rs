@@ -42,6 +42,8 @@ pub struct Material<D, R> {
 
 impl<R: Real> Material<GgxDistribution, R> {
     /// A GGX material.
+    ///
+    /// WGSL: none, its arguments are passed one by one there.
     pub fn ggx(lobe: Lobe<R>, fresnel: Fresnel<R>) -> Self {
         Self { lobe, fresnel, distribution: PhantomData }
     }
@@ -57,6 +59,8 @@ impl<R: Real> Material<BeckmannDistribution, R> {
     /// assert_eq!(shading.evaluate([0.0, 0.0, 1.0], [0.6, 0.0, -0.8]), [0.0; 3]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: none, its arguments are passed one by one there.
     pub fn beckmann(lobe: Lobe<R>, fresnel: Fresnel<R>) -> Self {
         Self { lobe, fresnel, distribution: PhantomData }
     }
@@ -66,12 +70,16 @@ impl<D: Distribution, R: Real> Material<D, R> {
     /// The material as a pixel with this kernel sees it: its lobe widened, ready for any number of lights.
     ///
     /// Exact for Beckmann, variance addition for GGX ([`Roughness::widened`](crate::Roughness::widened)).
+    ///
+    /// WGSL: `lobe_bake`.
     #[inline]
     pub fn bake(&self, kernel: &Kernel<R>) -> Shading<D, R> {
         Shading::new(&self.lobe.widened(kernel), self.fresnel)
     }
 
     /// The material as it is.
+    ///
+    /// WGSL: none, `lobe_shape` there.
     #[inline]
     pub fn unfiltered(&self) -> Shading<D, R> {
         Shading::new(&self.lobe, self.fresnel)
@@ -92,6 +100,8 @@ impl<D: Distribution, R: Real> Shading<D, R> {
     }
 
     /// The distribution underneath.
+    ///
+    /// WGSL: none, an argument there.
     #[inline]
     pub fn ndf(&self) -> &Ndf<D, Tilted<Full<R>>> {
         &self.ndf
@@ -102,6 +112,8 @@ impl<D: Distribution, R: Real> Shading<D, R> {
     /// $f$ is [`Ndf::brdf`], $c_i$ the cosine of `wi`, for a tilted lobe the projected area of its mean
     /// plane. Multiply by the light's radiance and solid angle. `wo`, `wi`: unit, tangent frame. 0 where
     /// either lies below the horizon.
+    ///
+    /// WGSL: `lobe_ggx_evaluate`, `lobe_beckmann_evaluate`.
     #[inline]
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
@@ -132,6 +144,8 @@ impl<R: Real> Shading<GgxDistribution, R> {
     /// assert!(wide[0] < shading.evaluate(wo, wi)[0]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_ggx_evaluate_over`.
     #[inline]
     pub fn evaluate_over(
         &self,
@@ -148,6 +162,8 @@ impl<R: Real> Shading<GgxDistribution, R> {
 ///
 /// # Errors
 /// [`Error::Length`] unless the slices have one length; nothing is then written.
+///
+/// WGSL: none, a dispatch is the loop there.
 pub fn bake_all<D: Distribution, R: Real>(
     materials: &[Material<D, R>],
     kernels: &[Kernel<R>],
@@ -180,6 +196,8 @@ pub fn bake_all<D: Distribution, R: Real>(
 /// assert_eq!(evaluate_all(&baked, &[up], &[up, up], &mut radiance), Err(lobe::Error::Length));
 /// # Ok::<(), lobe::Error>(())
 /// ```
+///
+/// WGSL: none, a dispatch is the loop there.
 pub fn evaluate_all<D: Distribution, R: Real>(
     shadings: &[Shading<D, R>],
     wo: &[[R; 3]],

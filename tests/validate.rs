@@ -1,57 +1,23 @@
 //! The command line of examples/validate.rs: exit status, table, JSON, and mistakes in one line.
 
+#[path = "common/example.rs"]
+mod program;
+
+use program::ROOT;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
-use std::time::SystemTime;
 
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
-
-/// The latest change of a file, or of any below a folder.
-fn changed(path: &Path) -> SystemTime {
-    let modified = fs::metadata(path).and_then(|data| data.modified()).expect("a readable path");
-    if !path.is_dir() {
-        return modified;
-    }
-    let entries = fs::read_dir(path).expect("a readable folder");
-    entries.map(|entry| changed(&entry.expect("an entry").path())).max().unwrap_or(modified)
-}
-
-/// `cargo test` builds the example beside the tests, `cargo test --test validate` does not: then an
-/// absent or outdated one is built here, in the same profile.
+/// The program; built at most once.
 fn example() -> &'static Path {
     static EXAMPLE: OnceLock<PathBuf> = OnceLock::new();
     EXAMPLE.get_or_init(|| {
-        let test = std::env::current_exe().expect("the path of this test");
-        let profile = test.ancestors().nth(2).expect("target/PROFILE/deps/TEST");
-        let name = format!("validate{}", std::env::consts::EXE_SUFFIX);
-        let example = profile.join("examples").join(name);
         let sources = ["examples/validate.rs", "tests/budget.rs", "tests/common/tables", "src"];
-        let newest = sources.iter().map(|source| changed(&Path::new(ROOT).join(source))).max();
-        let built = fs::metadata(&example).and_then(|data| data.modified()).ok();
-        if built < newest {
-            build(profile);
-        }
-        assert!(example.is_file(), "{} was not built", example.display());
-        example
+        program::example("validate", &sources)
     })
-}
-
-fn build(profile: &Path) {
-    // The folder of `cargo test` is `debug`, its profile `test`.
-    let name = profile.file_name().and_then(|name| name.to_str()).expect("a profile's folder");
-    let name = if name == "debug" { "test" } else { name };
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let output = Command::new(cargo)
-        .current_dir(ROOT)
-        .args(["build", "--example", "validate", "--profile", name, "--target-dir"])
-        .arg(profile.parent().expect("a target folder"))
-        .output()
-        .expect("cargo runs");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
 fn validate(arguments: &[&str]) -> Output {

@@ -8,9 +8,9 @@ use crate::scalar::quadrature::{GAUSS_EIGHT, GAUSS_FOUR};
 
 /// `x / y` as an unevaluated sum, high and low.
 fn divide<R: Real>(x: R, y: R) -> (R, R) {
-    let quotient = x / y;
+    let quotient = (x / y).kept();
     let (product, error) = two_product(quotient, y);
-    (quotient, ((x - product) - error) / y)
+    quotient.with_rest(((x - product) - error) / y)
 }
 
 /// $e^{-(x + x_{low})^2}$: at x = 9 the rounding of x alone costs 1e-5 in f32.
@@ -61,6 +61,8 @@ fn gaussian_mean<R: Real>(slope: R, width: R, alpha: R) -> R {
 /// let whole = beckmann_rectangle_mean([0.1_f64, 0.1], [0.0, 0.0], [2.0, 2.0]);
 /// assert!((whole - 0.25).abs() < 1e-12); // mass 1 over area 4
 /// ```
+///
+/// WGSL: `lobe_beckmann_rectangle_mean`.
 pub fn beckmann_rectangle_mean<R: Real>(
     alphas: impl Into<[R; 2]>,
     slope: impl Into<[R; 2]>,

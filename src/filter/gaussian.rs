@@ -24,6 +24,8 @@ impl<R: Real> Roughness<R> {
     /// assert!((widened.alphas().x - (0.01_f64 + 0.02).sqrt()).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_roughness_widened`.
     #[must_use]
     #[inline]
     pub fn widened(&self, kernel: &Kernel<R>) -> Self {
@@ -44,6 +46,8 @@ impl<R: Real> Lobe<R> {
     /// assert!(ndf.brdf(up, up) < Ggx::new(lobe.shape()).brdf(up, up));
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_widened`.
     #[must_use]
     #[inline]
     pub fn widened(&self, kernel: &Kernel<R>) -> Self {
@@ -74,6 +78,8 @@ impl<R: Real> Lobe<R> {
 /// assert!(proxy > 1.1 * exact); // variance addition is too bright
 /// # Ok::<(), lobe::Error>(())
 /// ```
+///
+/// WGSL: `lobe_ggx_gaussian_mean`.
 pub fn ggx_gaussian_mean<R: Real>(
     lobe: &Lobe<R>,
     slope: impl Into<[R; 2]>,
@@ -105,22 +111,28 @@ pub fn ggx_gaussian_mean<R: Real>(
     let (base_det, mixed, added_det) = (base.det(), base.mixed_det(&added), added.det());
 
     // The integrand t e^{-t - E(t)} / sqrt(det M) falls at least like t below the smaller of 1 and the t
-    // where E(t) = 1, and like e^{-t} above 1: cut at relative 1e-8 (f32) and 1e-14 (f64).
-    let (below, step) = if R::SINGLE { (18.0, 0.45) } else { (32.0, 0.28) };
+    // where E(t) = 1, and like e^{-t} above 1: cut at relative 1e-8 (f32) and 1e-14 (f64). In f32 the nodes
+    // are exact, and the smallest t is no subnormal number.
+    let (below, step, least_steps, most_reaches) =
+        if R::SINGLE { (18.0, 0.4375, 49, 39) } else { (32.0, 0.28, 127, 52) };
+    let (below, step) = (R::lit(below), R::lit(step));
     let exponent_at =
         |t: R| (base_form / t + added_form) / ((base_det / t + mixed) / t + added_det);
-    let mut start = -below;
-    // E(t) <= E'(0) t: halve x until E is small, in steps of the trapezoid.
-    while exponent_at(R::lit(start + below).exp()) > R::ONE && start > -90.0 {
-        start -= 4.0 * step;
+    // E(t) <= E'(0) t: lower x until E is small, by four steps at a time.
+    let reach = R::lit(4.0) * step;
+    let mut reaches = 0;
+    while reaches < most_reaches
+        && exponent_at((-(reach * R::lit(f64::from(reaches)))).exp()) > R::ONE
+    {
+        reaches += 1;
     }
-    let nodes = ((3.8 - start) / step) as i32;
+    let start = -(below + reach * R::lit(f64::from(reaches)));
     let mut sum = R::ZERO;
-    for node in 0..=nodes {
-        let t = R::lit(start + step * f64::from(node)).exp();
+    for node in 0..=least_steps + 4 * reaches {
+        let t = (start + step * R::lit(f64::from(node))).exp();
         let det = (base_det / t + mixed) / t + added_det;
         sum = sum + t * (-t - exponent_at(t)).exp() / det.sqrt();
     }
-    let mean = sum * R::lit(step * core::f64::consts::FRAC_1_PI);
+    let mean = sum * (step * R::lit(core::f64::consts::FRAC_1_PI));
     if mean.is_finite() { mean } else { Ggx::new(lobe.widened(kernel).shape()).slope_pdf(slope) }
 }

@@ -42,11 +42,15 @@ impl PixelFilter {
     ///
     /// # Errors
     /// [`Error::Variance`] unless in $[0, 10^9]$.
+    ///
+    /// WGSL: none, variances are plain numbers there.
     pub fn with_variance(variance: f64) -> Result<Self, Error> {
         if variance.is_magnitude() { Ok(Self { variance }) } else { Err(Error::Variance) }
     }
 
     /// The variance in squared pixels.
+    ///
+    /// WGSL: none, variances are plain numbers there.
     pub fn variance(self) -> f64 {
         self.variance
     }
@@ -76,6 +80,8 @@ impl<R: Real> Kernel<R> {
     ///
     /// Footprints of grazing half vectors have no bound: one with a component beyond $10^9$ is shrunk in
     /// proportion, as squares would overflow f32.
+    ///
+    /// WGSL: `lobe_kernel_of`.
     #[inline]
     pub fn of(footprint: &Footprint<R>, filter: PixelFilter) -> Self {
         // Infinite components count as the largest, and so do those without a number.
@@ -105,18 +111,24 @@ impl<R: Real> Kernel<R> {
     /// assert!((widened.alphas().x.powi(2) - (0.01 + 0.02)).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_kernel_tokuyoshi_forward`.
     #[inline]
     pub fn tokuyoshi_forward(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Self {
         DiskKernel::of(u, v, PixelFilter::KAPLANYAN).as_slopes()
     }
 
     /// A kernel of this covariance: an area light, a depth of field, a normal map's spread.
+    ///
+    /// WGSL: `lobe_kernel_from_covariance`.
     #[inline]
     pub fn from_covariance(covariance: Psd<R>) -> Self {
         Self { covariance }
     }
 
     /// The covariance $\Sigma_K$.
+    ///
+    /// WGSL: none, a field there.
     #[inline]
     pub fn covariance(&self) -> Psd<R> {
         self.covariance
@@ -136,6 +148,8 @@ impl<R: Real> Kernel<R> {
     /// assert_eq!(nested.matrix().entries()[0], texels.lobe(base).widened(&pixel).roughness().matrix().entries()[0]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_kernel_then`.
     #[must_use]
     pub fn then(&self, other: &Self) -> Self {
         Self { covariance: self.covariance.plus(&other.covariance) }
@@ -156,16 +170,17 @@ impl<R: Real> Kernel<R> {
     /// let (a, b) = (kernel.covariance().entries(), back.covariance().entries());
     /// assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-15));
     /// ```
+    ///
+    /// WGSL: `lobe_kernel_footprint`.
     pub fn footprint(&self, filter: PixelFilter) -> Footprint<R> {
         let Eigen { major, minor, axis: [cos, sin] } = self.covariance.eigen();
         if filter.variance <= 0.0 {
             return Footprint::default();
         }
-        // In f64, whose range holds the quotient; sides of at most the largest slope.
-        let [long, short] = [major, minor].map(|x| {
-            let side = (x.to_f64() / filter.variance).min(1e18);
-            R::lit(side).sqrt()
-        });
+        // Sides of at most the largest slope; an infinite quotient counts as that.
+        let variance = R::lit(filter.variance).max(R::MIN_POSITIVE);
+        let [long, short] =
+            [major, minor].map(|x| (x / variance).min(R::LARGEST * R::LARGEST).sqrt());
         Footprint { u: [long * cos, long * sin], v: [-(short * sin), short * cos] }
     }
 
@@ -182,6 +197,8 @@ impl<R: Real> Kernel<R> {
     /// let capped = wide.capped(0.18).covariance().entries();
     /// assert!((capped[0] - 0.09).abs() < 1e-15 && (capped[2] - 0.01 / 12.0).abs() < 1e-15);
     /// ```
+    ///
+    /// WGSL: `lobe_kernel_capped`.
     #[must_use]
     pub fn capped(&self, limit: R) -> Self {
         Self { covariance: self.covariance.capped(R::HALF * limit) }

@@ -16,9 +16,11 @@ mod gaussian;
 mod kernel;
 mod light;
 mod polygon;
+#[cfg(feature = "published")]
 pub mod preset;
 mod projected;
 mod proxy;
+#[cfg(feature = "published")]
 mod published;
 mod secant;
 mod segment;
@@ -35,6 +37,7 @@ pub use kernel::{Kernel, PixelFilter};
 pub use light::SphericalGaussian;
 pub use projected::{DiskKernel, projected_alpha};
 pub use proxy::{box_peak_alpha, gaussian_peak_alpha};
+#[cfg(feature = "published")]
 pub use published::{
     kaplanyan_proxy_alpha, kaplanyan_rectangle_mean, kaplanyan_rectangle_mean_as_printed,
 };

@@ -17,6 +17,7 @@
 
 use super::frame::Frame;
 use super::secant::secant_ratio;
+use super::segment::unit_density;
 use super::strip::{Strip, Whitened};
 use super::{edges, thin};
 use crate::ndf::{Distribution, GgxDistribution, Ndf};
@@ -24,13 +25,6 @@ use crate::scalar::Real;
 use crate::scalar::exact::{two_product, two_sum};
 use crate::scalar::quadrature::{GAUSS_EIGHT, GAUSS_FOUR, GAUSS_TWO, Rule};
 use crate::slope::{Footprint, Shape};
-
-/// The unit density.
-#[inline(always)]
-pub(super) fn unit_density<R: Real>(x: R, y: R) -> R {
-    let inverse = R::ONE / (R::ONE + x * x + y * y);
-    inverse * inverse * R::lit(core::f64::consts::FRAC_1_PI)
-}
 
 /// Squared ratio of a side to the distance of the nearest pole, below which a rule of N nodes serves.
 ///
@@ -89,6 +83,8 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// assert!((mass - 1.0).abs() < 1e-6);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_ggx_parallelogram_mean`.
     pub fn parallelogram_mean(
         &self,
         slope: impl Into<[S::Scalar; 2]>,
@@ -170,6 +166,8 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// assert!((ggx.rectangle_mean([0.05, 0.0], [1e-5, 1e-5]) / point - 1.0).abs() < 1e-6);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_ggx_rectangle_mean`.
     pub fn rectangle_mean(
         &self,
         slope: impl Into<[S::Scalar; 2]>,
@@ -207,6 +205,8 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// assert!((point / ggx.brdf(wo, wi) - 1.0).abs() < 1e-12);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_ggx_brdf_over`.
     pub fn brdf_over(
         &self,
         wo: impl Into<[S::Scalar; 3]>,
@@ -220,7 +220,7 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         // The slope to twice the precision, as a narrow tilted lobe wants it.
         let along = |k: usize| {
             let (g, g_low) = two_sum(wo[k], wi[k]);
-            let slope = -g / z;
+            let slope = (-g / z).kept();
             let (product, error) = two_product(slope, z);
             (slope, (-(g + product) - error - g_low - slope * z_low) / z)
         };

@@ -31,6 +31,8 @@ impl<R: Real> DiskKernel<R> {
     /// The kernel of two derivative vectors of $(h_x, h_y)$, one per pixel axis, under a pixel filter.
     ///
     /// Source: Tokuyoshi & Kaplanyan 2021, Eq. 3, there with [`PixelFilter::TOKUYOSHI_KAPLANYAN`].
+    ///
+    /// WGSL: `lobe_disk_kernel_of`.
     #[inline]
     pub fn of(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>, filter: PixelFilter) -> Self {
         Self { as_slopes: Kernel::of(&Footprint::from_slopes(u, v), filter) }
@@ -45,30 +47,40 @@ impl<R: Real> DiskKernel<R> {
     /// assert_eq!(widened.matrix().entries()[1], 0.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_disk_kernel_of_bounding`.
     #[inline]
     pub fn of_bounding(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>, filter: PixelFilter) -> Self {
         Self { as_slopes: Kernel::of(&Footprint::from_slopes(u, v).bounding(), filter) }
     }
 
     /// A kernel of this covariance.
+    ///
+    /// WGSL: `lobe_disk_kernel_from_covariance`.
     #[inline]
     pub fn from_covariance(covariance: Psd<R>) -> Self {
         Self { as_slopes: Kernel::from_covariance(covariance) }
     }
 
     /// The covariance.
+    ///
+    /// WGSL: none, a field there.
     #[inline]
     pub fn covariance(&self) -> Psd<R> {
         self.as_slopes.covariance()
     }
 
     /// Two kernels one after the other: covariances add.
+    ///
+    /// WGSL: `lobe_disk_kernel_then`.
     #[must_use]
     pub fn then(&self, other: &Self) -> Self {
         Self { as_slopes: self.as_slopes.then(&other.as_slopes) }
     }
 
     /// The kernel with the alpha^2 that it adds limited to `limit` along each axis, as [`Kernel::capped`].
+    ///
+    /// WGSL: `lobe_disk_kernel_capped`.
     #[must_use]
     pub fn capped(&self, limit: R) -> Self {
         Self { as_slopes: self.as_slopes.capped(limit) }
@@ -88,6 +100,8 @@ impl<R: Real> DiskKernel<R> {
     /// let narrowed = DiskKernel::of(u, v, PixelFilter::KAPLANYAN).as_slopes();
     /// assert_eq!(narrowed, Kernel::tokuyoshi_forward(u, v));
     /// ```
+    ///
+    /// WGSL: none, a field there.
     #[inline]
     pub fn as_slopes(&self) -> Kernel<R> {
         self.as_slopes
@@ -117,6 +131,8 @@ impl<R: Real> Roughness<R> {
     /// assert_eq!(square(1.0), 1.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_roughness_widened_on_disk`.
     #[must_use]
     #[inline]
     pub fn widened_on_disk(&self, kernel: &DiskKernel<R>) -> Self {
@@ -158,6 +174,8 @@ impl<R: Real> Roughness<R> {
 /// assert_eq!(projected_alpha(2.0_f64, 0.5)?, 2.0);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+///
+/// WGSL: `lobe_projected_alpha`.
 pub fn projected_alpha<R: Real>(alpha: R, added: R) -> Result<R, Error> {
     if !alpha.is_magnitude() {
         return Err(Error::Alpha);

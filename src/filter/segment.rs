@@ -1,10 +1,17 @@
-//! Means of the unit GGX density along a segment: what thin polygons are made of.
+//! The unit GGX density, and its means along a segment: what thin polygons are made of.
 //!
 //! Floor 3. The unit density is $1/(\pi (1 + |w|^2)^2)$ on the whitened plane. A point of the segment has
 //! coordinate t along it and distance d from its line to the lobe's centre; $q = 1 + d^2$, $s = \sqrt q$.
 //! Straight-line code throughout: quadratures evaluate several segments at once.
 
 use crate::scalar::Real;
+
+/// The unit density.
+#[inline(always)]
+pub(super) fn unit_density<R: Real>(x: R, y: R) -> R {
+    let inverse = R::ONE / (R::ONE + x * x + y * y);
+    inverse * inverse * R::lit(core::f64::consts::FRAC_1_PI)
+}
 
 /// $2 q^{3/2} \int_{|t|}^\infty dt/(q + t^2)^2$, between 0 and $\pi/2$.
 ///

@@ -3,8 +3,7 @@
 //! Floor 3. The edges' terms of a thin polygon cancel; its fibres' means do not.
 
 use super::frame::Frame;
-use super::polygon::unit_density;
-use super::segment::{apex_mean, near_apex_mean, near_mean, uniform_mean};
+use super::segment::{apex_mean, near_apex_mean, near_mean, uniform_mean, unit_density};
 use crate::scalar::Real;
 use crate::scalar::quadrature::{GAUSS_FOUR, Rule};
 

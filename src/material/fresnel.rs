@@ -27,6 +27,8 @@ enum Term<R> {
 
 impl<R: Real> Fresnel<R> {
     /// Reflectance 1 at every angle: a white furnace, or a Fresnel term applied elsewhere.
+    ///
+    /// WGSL: none, a reflectance of 1 there.
     #[inline]
     pub fn white() -> Self {
         Self { term: Term::Schlick { normal: [R::ONE; 3] } }
@@ -47,6 +49,8 @@ impl<R: Real> Fresnel<R> {
     /// assert_eq!(plastic.reflectance(0.0), [1.0; 3]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_fresnel_schlick`.
     pub fn schlick(normal: [R; 3]) -> Result<Self, Error> {
         if normal.iter().all(|f| *f >= R::ZERO && *f <= R::ONE) {
             Ok(Self { term: Term::Schlick { normal } })
@@ -75,6 +79,8 @@ impl<R: Real> Fresnel<R> {
     /// assert!((glass.reflectance(1.0)[0] - 0.04).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_fresnel_conductor`.
     pub fn conductor(eta: [R; 3], k: [R; 3]) -> Result<Self, Error> {
         let valid = eta.iter().chain(&k).all(|x| x.is_magnitude());
         if valid && eta.iter().all(|x| *x > R::ZERO) {
@@ -87,6 +93,8 @@ impl<R: Real> Fresnel<R> {
     /// Reflectance per channel for the cosine between a direction and the half vector, in \[0, 1\].
     ///
     /// Cosines outside \[0, 1\] count as the nearest end; 1 at grazing incidence.
+    ///
+    /// WGSL: `lobe_fresnel_schlick`, `lobe_fresnel_conductor`.
     #[inline]
     pub fn reflectance(&self, cos: R) -> [R; 3] {
         let cos = cos.max(R::ZERO).min(R::ONE);

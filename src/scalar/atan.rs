@@ -3,6 +3,7 @@
 //! Floor 0. Selects instead of branches, for lanes and for shaders.
 
 use super::exp::polynomial_f64;
+use super::single::Single;
 
 /// Coefficients of (atan(t)/t - 1)/s in s = t^2, 0 <= s <= 1.
 ///
@@ -99,23 +100,23 @@ const ATAN_EXCESS_F64: [f64; 23] = [
 /// pi/2 and pi, each with what its nearest f32 leaves out.
 ///
 /// Split by `tests/golden/fit.py`, `split("half_pi_f32", ...)` and `split("pi_f32", ...)`.
-const HALF_PI_F32: [f32; 2] = [core::f32::consts::FRAC_PI_2, -4.371_139e-8];
-const PI_F32: [f32; 2] = [core::f32::consts::PI, -8.742_278e-8];
+const HALF_PI_PARTS_F32: [f32; 2] = [core::f32::consts::FRAC_PI_2, -4.371_139e-8];
+const PI_PARTS_F32: [f32; 2] = [core::f32::consts::PI, -8.742_278e-8];
 
 /// pi/2 and pi, each with what its nearest f64 leaves out.
 ///
 /// Split by `tests/golden/fit.py`, `split("half_pi_f64", ...)` and `split("pi_f64", ...)`.
-const HALF_PI_F64: [f64; 2] = [core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17];
-const PI_F64: [f64; 2] = [core::f64::consts::PI, 1.224_646_799_147_353_2e-16];
+const HALF_PI_PARTS_F64: [f64; 2] = [core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17];
+const PI_PARTS_F64: [f64; 2] = [core::f64::consts::PI, 1.224_646_799_147_353_2e-16];
 
 /// The arc tangent of x, odd, in [-pi/2, pi/2].
 ///
 /// All x: zero keeps its sign, the limits are atan(inf) = pi/2 and atan(-inf) = -pi/2, NaN gives
 /// NaN. Measured error: at most 1.86 ulp (at 1.0052128; tests/certificates.rs).
 #[inline(always)]
-pub(crate) fn atan_f32(x: f32) -> f32 {
-    let a = upper_angle_f32(x.abs(), 1.0);
-    f32::from_bits(a.to_bits() | (x.to_bits() & (1 << 31)))
+pub(crate) fn atan_f32<S: Single>(x: S) -> S {
+    let a = upper_angle_f32(x.abs(), S::ONE);
+    S::of_bits(a.bits() | (x.bits() & (1 << 31)))
 }
 
 /// The angle of the direction (x, y), in [-pi, pi].
@@ -125,34 +126,34 @@ pub(crate) fn atan_f32(x: f32) -> f32 {
 /// atan2(0, negative) = pi, also for y = -0. Two infinities, or a NaN, give NaN. Measured error: at
 /// most 1.86 ulp (beside the diagonals).
 #[inline(always)]
-pub(crate) fn atan2_f32(y: f32, x: f32) -> f32 {
+pub(crate) fn atan2_f32<S: Single>(y: S, x: S) -> S {
     let angle = upper_angle_f32(y.abs(), x);
-    let angle = if y == 0.0 && x == 0.0 { 0.0 } else { angle };
-    if y < 0.0 { -angle } else { angle }
+    let angle = if y == S::ZERO && x == S::ZERO { S::ZERO } else { angle };
+    if y < S::ZERO { -angle } else { angle }
 }
 
 /// The angle of the direction (x, y) for y >= 0, in [0, pi]: `atan2_f32` without its last two selects. NaN at
 /// the origin.
 #[inline(always)]
-pub(crate) fn upper_angle_f32(y: f32, x: f32) -> f32 {
+pub(crate) fn upper_angle_f32<S: Single>(y: S, x: S) -> S {
     let width = x.abs();
     let steep = y > width;
     let low = if steep { width } else { y };
     let high = if steep { y } else { width };
     let t = low / high;
     let s = t * t;
-    let c = ATAN_F32;
+    let c = |n: usize| S::of(ATAN_F32[n]);
     // Estrin's scheme: half the depth of Horner's, whose latency is most of an arctangent's time.
     let (s2, s4) = (s * s, (s * s) * (s * s));
-    let bottom = (c[0] + c[1] * s) + (c[2] + c[3] * s) * s2;
-    let top = (c[4] + c[5] * s) + (c[6] + c[7] * s) * s2;
-    let p = bottom + (top + c[8] * s4) * s4;
+    let bottom = (c(0) + c(1) * s) + (c(2) + c(3) * s) * s2;
+    let top = (c(4) + c(5) * s) + (c(6) + c(7) * s) * s2;
+    let p = bottom + (top + c(8) * s4) * s4;
     let a = p * s * t + t;
-    let back = x < 0.0;
+    let back = x < S::ZERO;
     let a = if steep == back { a } else { -a };
-    let flat = if back { PI_F32 } else { [0.0, 0.0] };
-    let base = if steep { HALF_PI_F32 } else { flat };
-    base[0] + (a + base[1])
+    let flat = if back { PI_PARTS_F32 } else { [0.0, 0.0] };
+    let base = if steep { HALF_PI_PARTS_F32 } else { flat };
+    S::of(base[0]) + (a + S::of(base[1]))
 }
 
 /// The arc tangent of x, odd, in [-pi/2, pi/2].
@@ -191,8 +192,8 @@ pub(crate) fn upper_angle_f64(y: f64, x: f64) -> f64 {
     let a = polynomial_f64(&ATAN_F64, s) * s * t + t;
     let back = x < 0.0;
     let a = if steep == back { a } else { -a };
-    let flat = if back { PI_F64 } else { [0.0, 0.0] };
-    let base = if steep { HALF_PI_F64 } else { flat };
+    let flat = if back { PI_PARTS_F64 } else { [0.0, 0.0] };
+    let base = if steep { HALF_PI_PARTS_F64 } else { flat };
     base[0] + (a + base[1])
 }
 
@@ -201,12 +202,12 @@ pub(crate) fn upper_angle_f64(y: f64, x: f64) -> f64 {
 /// The difference would start two orders below its terms. Measured error: at most 5.4 ulp (at 0.92466855),
 /// 3.2e-7 relative, from the Horner scheme: the coefficients alternate and cancel.
 #[inline(always)]
-pub(crate) fn atan_excess_f32(x: f32) -> f32 {
+pub(crate) fn atan_excess_f32<S: Single>(x: S) -> S {
     let s = x * x;
-    let c = ATAN_EXCESS_F32;
-    let p = (((c[10] * s + c[9]) * s + c[8]) * s + c[7]) * s + c[6];
-    let p = (((p * s + c[5]) * s + c[4]) * s + c[3]) * s + c[2];
-    ((p * s + c[1]) * s + c[0]) * s * x
+    let c = |n: usize| S::of(ATAN_EXCESS_F32[n]);
+    let p = (((c(10) * s + c(9)) * s + c(8)) * s + c(7)) * s + c(6);
+    let p = (((p * s + c(5)) * s + c(4)) * s + c(3)) * s + c(2);
+    ((p * s + c(1)) * s + c(0)) * s * x
 }
 
 /// atan(x) - x/(1 + x^2), the tail of a GGX segment, on [0, 1]: 2/3 x^3 at 0.

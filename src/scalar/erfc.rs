@@ -3,6 +3,7 @@
 //! Floor 0. Selects instead of branches, for lanes and for shaders.
 
 use super::exp::{exp_difference_f32, exp_difference_f64, polynomial_f64};
+use super::single::Single;
 
 /// The scale of t = pole/(pole + x), which maps 0 <= x <= infinity to 1 >= t >= 0.
 ///
@@ -124,13 +125,14 @@ const IERFCX_F64: [f64; 27] = [
 ///
 /// Limits: 1 at x = 0, 1/(sqrt(pi) x) for large x, subnormal above 4.8e37, 0 at infinity.
 #[inline(always)]
-pub(crate) fn erfcx_f32(x: f32) -> f32 {
-    let u = POLE_F32 / (POLE_F32 + x) - 0.375;
-    let c = ERFCX_F32;
-    let p = (((c[10] * u + c[9]) * u + c[8]) * u + c[7]) * u + c[6];
-    let p = (((p * u + c[5]) * u + c[4]) * u + c[3]) * u + c[2];
-    let p = (p * u + c[1]) * u + c[0];
-    p / (1.0 + x)
+pub(crate) fn erfcx_f32<S: Single>(x: S) -> S {
+    let pole = S::of(POLE_F32);
+    let u = pole / (pole + x) - S::of(0.375);
+    let c = |n: usize| S::of(ERFCX_F32[n]);
+    let p = (((c(10) * u + c(9)) * u + c(8)) * u + c(7)) * u + c(6);
+    let p = (((p * u + c(5)) * u + c(4)) * u + c(3)) * u + c(2);
+    let p = (p * u + c(1)) * u + c(0);
+    p / (S::ONE + x)
 }
 
 /// exp(x^2) times the integral of erfc from x to infinity, 1/sqrt(pi) - x erfcx(x), for x >= 0.
@@ -142,13 +144,14 @@ pub(crate) fn erfcx_f32(x: f32) -> f32 {
 /// Limits: 1/sqrt(pi) at x = 0, 1/(2 sqrt(pi) x^2) for large x; 0 above 1.84e19, where
 /// x^2 overflows.
 #[inline(always)]
-pub(crate) fn ierfcx_f32(x: f32) -> f32 {
-    let u = POLE_F32 / (POLE_F32 + x) - 0.375;
-    let c = IERFCX_F32;
-    let p = (((c[12] * u + c[11]) * u + c[10]) * u + c[9]) * u + c[8];
-    let p = (((p * u + c[7]) * u + c[6]) * u + c[5]) * u + c[4];
-    let p = (((p * u + c[3]) * u + c[2]) * u + c[1]) * u + c[0];
-    p / (x * (x + 0.875) + 0.5)
+pub(crate) fn ierfcx_f32<S: Single>(x: S) -> S {
+    let pole = S::of(POLE_F32);
+    let u = pole / (pole + x) - S::of(0.375);
+    let c = |n: usize| S::of(IERFCX_F32[n]);
+    let p = (((c(12) * u + c(11)) * u + c(10)) * u + c(9)) * u + c(8);
+    let p = (((p * u + c(7)) * u + c(6)) * u + c(5)) * u + c(4);
+    let p = (((p * u + c(3)) * u + c(2)) * u + c(1)) * u + c(0);
+    p / (x * (x + S::of(0.875)) + S::HALF)
 }
 
 /// The complementary error function, erfc(x) = exp(-x^2) erfcx(x) and erfc(-x) = 2 - erfc(x).
@@ -159,13 +162,14 @@ pub(crate) fn ierfcx_f32(x: f32) -> f32 {
 ///
 /// Limits: 2 at -infinity, 1 at 0, 0 above 10.06.
 #[inline(always)]
-pub(crate) fn erfc_f32(x: f32) -> f32 {
+pub(crate) fn erfc_f32<S: Single>(x: S) -> S {
     let a = x.abs();
-    let a = if a > 11.0 { 11.0 } else { a };
+    let largest = S::of(11.0);
+    let a = if a > largest { largest } else { a };
     // a^2 = high^2 + (a - high)(a + high), the first term exact.
-    let high = f32::from_bits(a.to_bits() & 0xffff_f000);
+    let high = a.upper_half();
     let e = exp_difference_f32(-high * high, (a - high) * (a + high)) * erfcx_f32(a);
-    if x < 0.0 { 2.0 - e } else { e }
+    if x < S::ZERO { S::TWO - e } else { e }
 }
 
 /// The scaled complementary error function, exp(x^2) erfc(x), for x >= 0.

@@ -1,16 +1,17 @@
 //! Sums and products with their rounding errors: what keeps f32 determinants and dot products true.
 //!
 //! Floor 0. Written without fused multiply-add, which is a slow library call on targets that lack
-//! it; the split by bit mask cannot overflow, and no compiler can fuse it away.
+//! it; the split by bit mask cannot overflow, and no compiler can fuse it away. What shader compilers
+//! could fold or fuse is kept ([`Real::kept`]).
 
 use super::Real;
 
 /// `a + b` as rounded sum and exact error (Knuth 1969, TwoSum).
 #[inline(always)]
 pub(crate) fn two_sum<R: Real>(a: R, b: R) -> (R, R) {
-    let sum = a + b;
-    let b_part = sum - a;
-    (sum, (a - (sum - b_part)) + (b - b_part))
+    let sum = (a + b).kept();
+    let b_part = (sum - a).kept();
+    sum.with_rest((a - (sum - b_part)) + (b - b_part))
 }
 
 /// `a * b` as rounded product and its error (Dekker 1971, with the split of [`Real::upper_half`]).
@@ -19,11 +20,11 @@ pub(crate) fn two_sum<R: Real>(a: R, b: R) -> (R, R) {
 /// not underflow.
 #[inline(always)]
 pub(crate) fn two_product<R: Real>(a: R, b: R) -> (R, R) {
-    let product = a * b;
+    let product = (a * b).kept();
     let (a_high, b_high) = (a.upper_half(), b.upper_half());
     let (a_low, b_low) = (a - a_high, b - b_high);
     let error = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
-    (product, error)
+    product.with_rest(error)
 }
 
 /// `a b + c d` within 1.5 ulp of the result, whatever cancels (Kahan; Jeannerod et al. 2013).

@@ -2,6 +2,8 @@
 //!
 //! Floor 0. Selects instead of branches, for lanes and for shaders.
 
+use super::single::Single;
+
 /// Coefficients of (exp(r) - 1 - r)/r^2 in r, |r| <= 0.3475 (a little over ln(2)/2).
 ///
 /// Maximal error relative to exp(r): 4.03e-9 (2^-27.89), at r = -0.3475.
@@ -48,34 +50,36 @@ const ROUNDER_F64: f64 = 6_755_399_441_055_744.0;
 /// -87.33655, 0 below -103.98; exp(-inf) = 0, exp(inf) = inf, NaN gives NaN. Measured error: at
 /// most 0.9 ulp (at 4.506177; tests/certificates.rs), 0.75 of the smallest number where the result is subnormal.
 #[inline(always)]
-pub(crate) fn exp_f32(x: f32) -> f32 {
-    exp_difference_f32(x, 0.0)
+pub(crate) fn exp_f32<S: Single>(x: S) -> S {
+    exp_difference_f32(x, S::ZERO)
 }
 
 /// exp(x - d) for a small correction d that x has no digits for.
 ///
 /// All x, |d| <= 0.1; error and limits as those of `exp_f32`, where x - d is exact.
 #[inline(always)]
-pub(crate) fn exp_difference_f32(x: f32, d: f32) -> f32 {
-    let x = if x > 89.0 { 89.0 } else { x };
+pub(crate) fn exp_difference_f32<S: Single>(x: S, d: S) -> S {
+    let largest = S::of(89.0);
+    let x = if x > largest { largest } else { x };
     // Results that are 0 are computed as 1: subnormal intermediates cost a hundred cycles each.
-    let vanishes = x < -104.0;
-    let x = if vanishes { 0.0 } else { x };
+    let vanishes = x < S::of(-104.0);
+    let x = if vanishes { S::ZERO } else { x };
     // x - d = k ln(2) + r.
-    let shifted = (x - d) * core::f32::consts::LOG2_E + ROUNDER_F32;
-    let k = shifted - ROUNDER_F32;
+    let rounder = S::of(ROUNDER_F32);
+    let shifted = ((x - d) * S::of(core::f32::consts::LOG2_E) + rounder).kept();
+    let k = shifted - rounder;
     // r = high - low, kept in two parts for the linear term.
-    let high = x - k * LN_TWO_F32[0];
-    let low = k * LN_TWO_F32[1] + d;
+    let high = x - k * S::of(LN_TWO_F32[0]);
+    let low = k * S::of(LN_TWO_F32[1]) + d;
     let r = high - low;
-    let c = EXP_F32;
-    let p = (((c[4] * r + c[3]) * r + c[2]) * r + c[1]) * r + c[0];
-    let p = (high + (p * (r * r) - low)) + 1.0;
+    let c = |n: usize| S::of(EXP_F32[n]);
+    let p = (((c(4) * r + c(3)) * r + c(2)) * r + c(1)) * r + c(0);
+    let p = (high + (p * (r * r) - low)) + S::ONE;
     // 2^k in two factors, for neither the largest nor the subnormal results have it in one.
-    let biased = shifted.to_bits().wrapping_sub(ROUNDER_F32.to_bits()).wrapping_add(254);
+    let biased = shifted.bits().wrapping_sub(ROUNDER_F32.to_bits()).wrapping_add(254);
     let half = biased >> 1;
-    let e = (p * f32::from_bits(half << 23)) * f32::from_bits(biased.wrapping_sub(half) << 23);
-    if vanishes { 0.0 } else { e }
+    let e = (p * S::of_bits(half << 23)) * S::of_bits(biased.wrapping_sub(half) << 23);
+    if vanishes { S::ZERO } else { e }
 }
 
 /// The exponential function, exp(x) = 2^k exp(r) with x = k ln(2) + r.

@@ -3,6 +3,7 @@
 //! Floor 0. Selects instead of branches, for lanes and for shaders.
 
 use super::exp::{LN_TWO_F32, LN_TWO_F64, polynomial_f64};
+use super::single::Single;
 
 /// Coefficients of (ln((1 + s)/(1 - s)) - 2 s)/s^3 in z = s^2, 0 <= z <= 0.02944 (a little over 3 - 2 sqrt(2), squared).
 ///
@@ -29,23 +30,23 @@ const LN_F64: [f64; 7] = [
 /// All x: -infinity at 0, NaN below, infinity at infinity; subnormal numbers included. Measured error: at most
 /// 0.84 ulp (at 1.413319; tests/certificates.rs).
 #[inline(always)]
-pub(crate) fn ln_f32(x: f32) -> f32 {
+pub(crate) fn ln_f32<S: Single>(x: S) -> S {
     const ROOT_HALF: u32 = 0x3F35_04F3;
     const ONE: u32 = 0x3F80_0000;
-    let small = x < f32::MIN_POSITIVE;
-    let bits = (if small { x * 8_388_608.0 } else { x }).to_bits();
+    let small = x < S::MIN_POSITIVE;
+    let bits = (if small { x * S::of(8_388_608.0) } else { x }).bits();
     let shifted = bits.wrapping_add(ONE - ROOT_HALF);
-    let k = (shifted >> 23) as f32 - if small { 150.0 } else { 127.0 };
-    let f = f32::from_bits((shifted & 0x007F_FFFF) + ROOT_HALF) - 1.0;
-    let s = f / (2.0 + f);
+    let k = S::of((shifted >> 23) as f32) - S::of(if small { 150.0 } else { 127.0 });
+    let f = S::of_bits((shifted & 0x007F_FFFF) + ROOT_HALF) - S::ONE;
+    let s = f / (S::TWO + f);
     let z = s * s;
-    let c = LN_F32;
-    let rest = z * ((c[2] * z + c[1]) * z + c[0]);
-    let half_square = 0.5 * f * f;
+    let c = |n: usize| S::of(LN_F32[n]);
+    let rest = z * ((c(2) * z + c(1)) * z + c(0));
+    let half_square = S::HALF * f * f;
     // f - f^2/2 + ...: the large terms last.
-    let low = half_square - (s * (half_square + rest) + k * LN_TWO_F32[1]);
-    let ln = k * LN_TWO_F32[0] - (low - f);
-    if x > 0.0 && x <= f32::MAX { ln } else { edge_f32(x) }
+    let low = half_square - (s * (half_square + rest) + k * S::of(LN_TWO_F32[1]));
+    let ln = k * S::of(LN_TWO_F32[0]) - (low - f);
+    if x > S::ZERO && x <= S::MAX { ln } else { edge_f32(x) }
 }
 
 /// The natural logarithm, as [`ln_f32`]. Measured error: 0.85 ulp (at 0.707103) over 4 million random numbers
@@ -70,9 +71,9 @@ pub(crate) fn ln_f64(x: f64) -> f64 {
 
 /// The logarithm of what is not a positive finite number.
 #[inline(always)]
-fn edge_f32(x: f32) -> f32 {
-    let below = if x == 0.0 { f32::NEG_INFINITY } else { f32::NAN };
-    if x > 0.0 { x } else { below }
+fn edge_f32<S: Single>(x: S) -> S {
+    let below = S::of(if x == S::ZERO { f32::NEG_INFINITY } else { f32::NAN });
+    if x > S::ZERO { x } else { below }
 }
 
 /// The same in f64.

@@ -1,17 +1,20 @@
 //! Floats without microfacets: precision, elementary functions, exact products, small matrices.
 
 pub(crate) mod atan;
-#[cfg(feature = "count")]
-pub mod count;
 pub(crate) mod erfc;
 pub(crate) mod exact;
 pub(crate) mod exp;
 pub(crate) mod expint;
+#[cfg(feature = "glam")]
+mod glam;
 pub(crate) mod ln;
 mod math;
+#[cfg(feature = "probe")]
+pub mod probe;
 pub(crate) mod psd;
 pub(crate) mod quadrature;
 mod real;
+mod single;
 
 pub use psd::{Eigen, Psd};
 pub use real::Real;

@@ -46,6 +46,8 @@ impl<R: Real> Psd<R> {
     /// # Errors
     /// [`Error::MatrixEntry`] unless all entries lie in $[-10^{18}, 10^{18}]$,
     /// [`Error::MatrixNotPositive`].
+    ///
+    /// WGSL: `lobe_psd_new`.
     pub fn new(xx: R, xy: R, yy: R) -> Result<Self, Error> {
         let largest = R::LARGEST * R::LARGEST;
         if ![xx, xy, yy].iter().all(|entry| entry.abs() <= largest) {
@@ -80,6 +82,8 @@ impl<R: Real> Psd<R> {
     /// let mended = lobe::Psd::nearest(1.0_f64, 2.0, 1.0); // eigenvalues 3 and -1
     /// assert!(mended.entries().iter().all(|x| (x - 1.5).abs() < 1e-15));
     /// ```
+    ///
+    /// WGSL: `lobe_psd_nearest`.
     pub fn nearest(xx: R, xy: R, yy: R) -> Self {
         let det = difference_of_products(xx, yy, xy, xy);
         if xx >= R::ZERO && yy >= R::ZERO && det >= R::ZERO {
@@ -91,6 +95,8 @@ impl<R: Real> Psd<R> {
     }
 
     /// The zero matrix.
+    ///
+    /// WGSL: none, `LobePsd(0.0, 0.0, 0.0, 0.0)` there.
     pub fn zero() -> Self {
         Self::default()
     }
@@ -120,6 +126,8 @@ impl<R: Real> Psd<R> {
     /// let k = Psd::outer_sum([1.0_f32, 1.0], [1.0, 1.0 + 1e-3]);
     /// assert!((k.root_det() - 1e-3).abs() < 1e-6);
     /// ```
+    ///
+    /// WGSL: `lobe_psd_outer_sum`.
     #[inline]
     pub fn outer_sum(u: [R; 2], v: [R; 2]) -> Self {
         Self {
@@ -131,29 +139,39 @@ impl<R: Real> Psd<R> {
     }
 
     /// The entries `xx`, `xy`, `yy`.
+    ///
+    /// WGSL: none, fields there.
     #[inline]
     pub fn entries(&self) -> [R; 3] {
         [self.xx, self.xy, self.yy]
     }
 
     /// Determinant.
+    ///
+    /// WGSL: `lobe_psd_det`.
     #[inline]
     pub fn det(&self) -> R {
         self.root_det * self.root_det
     }
 
     /// Square root of the determinant: the area scale of the ellipse.
+    ///
+    /// WGSL: none, a field there.
     #[inline(always)]
     pub fn root_det(&self) -> R {
         self.root_det
     }
 
     /// Trace.
+    ///
+    /// WGSL: `lobe_psd_trace`.
     pub fn trace(&self) -> R {
         self.xx + self.yy
     }
 
     /// True if the smaller eigenvalue is no number of this precision: a mirror along some axis.
+    ///
+    /// WGSL: `lobe_psd_is_singular`.
     #[inline(always)]
     pub fn is_singular(&self) -> bool {
         let minor = self.root_det * (self.root_det / self.trace());
@@ -163,6 +181,8 @@ impl<R: Real> Psd<R> {
     }
 
     /// The matrix times a factor; a negative one counts as 0.
+    ///
+    /// WGSL: `lobe_psd_scaled`.
     #[must_use]
     #[inline]
     pub fn scaled(&self, factor: R) -> Self {
@@ -179,6 +199,8 @@ impl<R: Real> Psd<R> {
     ///
     /// $\det(A + B) = \det A + \mathrm{tr}(\mathrm{adj}(A)\, B) + \det B$, every term non-negative:
     /// nothing cancels when a small round lobe meets a long thin kernel.
+    ///
+    /// WGSL: `lobe_psd_plus`.
     #[must_use]
     #[inline]
     pub fn plus(&self, other: &Self) -> Self {
@@ -211,6 +233,8 @@ impl<R: Real> Psd<R> {
     }
 
     /// $w^T M w$, as a sum of squares: exact to a few ulp even along the minor axis.
+    ///
+    /// WGSL: `lobe_psd_quadratic`.
     pub fn quadratic(&self, w: [R; 2]) -> R {
         if self.xx < R::MIN_POSITIVE {
             return self.yy * w[1] * w[1];
@@ -227,6 +251,8 @@ impl<R: Real> Psd<R> {
     /// assert_eq!(Psd::new(4.0, 2.0, 2.0)?.cholesky(), [2.0_f64, 1.0, 1.0]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_psd_cholesky`.
     pub fn cholesky(&self) -> [R; 3] {
         if self.xx < R::MIN_POSITIVE {
             return [R::ZERO, R::ZERO, self.yy.sqrt()];
@@ -236,6 +262,8 @@ impl<R: Real> Psd<R> {
     }
 
     /// Eigenvalues and major axis.
+    ///
+    /// WGSL: `lobe_psd_eigen`.
     pub fn eigen(&self) -> Eigen<R> {
         let (major, axis) = principal(self.xx, self.xy, self.yy);
         let minor = if major > R::ZERO { self.root_det * (self.root_det / major) } else { R::ZERO };
@@ -244,6 +272,8 @@ impl<R: Real> Psd<R> {
     }
 
     /// The matrix with both eigenvalues limited to `limit`; the axes stay. A negative limit counts as 0.
+    ///
+    /// WGSL: `lobe_psd_capped`.
     #[must_use]
     pub fn capped(&self, limit: R) -> Self {
         let limit = limit.max(R::ZERO);
@@ -269,29 +299,3 @@ fn principal<R: Real>(xx: R, xy: R, yy: R) -> (R, [R; 2]) {
     let length = (x * x + y * y).sqrt();
     (R::HALF * (xx + yy) + r * scale, [x / length, y / length])
 }
-
-#[cfg(feature = "glam")]
-macro_rules! impl_glam {
-    ($real:ty, $mat:ty) => {
-        impl From<Psd<$real>> for $mat {
-            fn from(m: Psd<$real>) -> Self {
-                Self::from_cols_array(&[m.xx, m.xy, m.xy, m.yy])
-            }
-        }
-
-        impl TryFrom<$mat> for Psd<$real> {
-            type Error = Error;
-
-            /// Reads the symmetric part.
-            fn try_from(m: $mat) -> Result<Self, Error> {
-                let [xx, yx, xy, yy] = m.to_cols_array();
-                Self::new(xx, 0.5 * (xy + yx), yy)
-            }
-        }
-    };
-}
-
-#[cfg(feature = "glam")]
-impl_glam!(f32, glam::Mat2);
-#[cfg(feature = "glam")]
-impl_glam!(f64, glam::DMat2);

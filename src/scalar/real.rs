@@ -1,7 +1,7 @@
 //! The one trait over f32 and f64 that every formula is written in.
 //!
 //! Floor 0. Sealed: the polynomials behind `exp`, `atan` and `erfc` exist for these two widths only. (The feature
-//! `count` adds an f32 that counts.)
+//! `probe` adds f32s that measure.)
 
 use super::{atan, erfc, exp, ln, math};
 use core::fmt::{Debug, Display};
@@ -66,54 +66,88 @@ pub trait Real:
     const LARGEST: Self;
 
     /// The literal `x`, rounded to this precision.
+    ///
+    /// WGSL: none, literals there.
     fn lit(x: f64) -> Self;
     /// This number as f64 (exact).
+    ///
+    /// WGSL: none, no f64 there.
     fn to_f64(self) -> f64;
     /// Square root, correctly rounded.
+    ///
+    /// WGSL: none, a builtin there.
     fn sqrt(self) -> Self;
     /// Absolute value.
+    ///
+    /// WGSL: none, a builtin there.
     fn abs(self) -> Self;
     /// The smaller of two numbers, `other` if `self` is NaN: one instruction, unlike `f32::min`.
+    ///
+    /// WGSL: `lobe_min`.
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         if self < other { self } else { other }
     }
     /// The larger of two numbers, `other` if `self` is NaN.
+    ///
+    /// WGSL: `lobe_max`.
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
     /// True unless infinite or NaN.
+    ///
+    /// WGSL: `lobe_is_finite`.
     #[inline(always)]
     fn is_finite(self) -> bool {
         self.abs() <= Self::MAX
     }
     /// True in $[0, 10^9]$: the range of alphas, deviations and variances.
+    ///
+    /// WGSL: none, constructors clamp there.
     #[inline(always)]
     fn is_magnitude(self) -> bool {
         self >= Self::ZERO && self <= Self::LARGEST
     }
     /// True in $[-10^9, 10^9]$: the range of slopes.
+    ///
+    /// WGSL: none, constructors clamp there.
     #[inline(always)]
     fn is_slope(self) -> bool {
         self.abs() <= Self::LARGEST
     }
     /// Sine and cosine (for constructors: computed in f64, then rounded).
+    ///
+    /// WGSL: none, builtins differ by 2e-4 between drivers; only constructors of the CPU use them.
     fn sin_cos(self) -> (Self, Self);
     /// $e^x$; 0 below the smallest number, infinity above the largest.
+    ///
+    /// WGSL: `lobe_exp`.
     fn exp(self) -> Self;
     /// Natural logarithm; minus infinity at 0, NaN below.
+    ///
+    /// WGSL: `lobe_ln`.
     fn ln(self) -> Self;
     /// Arctangent in $[-\pi/2, \pi/2]$.
+    ///
+    /// WGSL: `lobe_atan`.
     fn atan(self) -> Self;
     /// Angle of the point (`x`, `self`) in $[-\pi, \pi]$; 0 at the origin.
+    ///
+    /// WGSL: `lobe_atan_of`.
     fn atan2(self, x: Self) -> Self;
     /// Complementary error function $2/\sqrt\pi \int_x^\infty e^{-t^2} dt$.
+    ///
+    /// WGSL: `lobe_erfc`.
     fn erfc(self) -> Self;
     /// Scaled complementary error function $e^{x^2} \mathrm{erfc}(x)$, for $x \ge 0$.
+    ///
+    /// WGSL: `lobe_erfcx`.
     fn erfcx(self) -> Self;
     /// Scaled first integral of erfc, $1/\sqrt\pi - x\,\mathrm{erfcx}(x)$, for $x \ge 0$, without
     /// the cancellation of that difference.
+    ///
+    /// WGSL: `lobe_ierfcx`.
     fn ierfcx(self) -> Self;
     /// The angle of [`Real::atan2`] for `self >= 0`, not both 0, in $[0, \pi]$.
     #[doc(hidden)]
@@ -125,6 +159,18 @@ pub trait Real:
     /// is exact, and products of upper halves are exact.
     #[doc(hidden)]
     fn upper_half(self) -> Self;
+    /// This value as it was rounded: on a GPU no compiler may fold or fuse it away (`lobe_kept` in WGSL).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn kept(self) -> Self {
+        self
+    }
+    /// A rounded sum or product, and what rounding left of it: the two together are exact.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn with_rest(self, rest: Self) -> (Self, Self) {
+        (self, rest)
+    }
 }
 
 macro_rules! impl_real {

@@ -29,6 +29,8 @@ impl<R: Real> Lobe<R> {
     ///
     /// # Errors
     /// [`Error::Mean`] unless both components lie in $[-10^9, 10^9]$.
+    ///
+    /// WGSL: `lobe_new`.
     pub fn new(mean: impl Into<[R; 2]>, roughness: Roughness<R>) -> Result<Self, Error> {
         let mean = mean.into();
         if mean[0].is_slope() && mean[1].is_slope() {
@@ -39,21 +41,29 @@ impl<R: Real> Lobe<R> {
     }
 
     /// A lobe around the normal.
+    ///
+    /// WGSL: `lobe_centred`.
     pub fn centred(roughness: Roughness<R>) -> Self {
         Self { mean: [R::ZERO; 2], roughness }
     }
 
     /// The mean slope.
+    ///
+    /// WGSL: none, a field there.
     pub fn mean(&self) -> [R; 2] {
         self.mean
     }
 
     /// The roughness.
+    ///
+    /// WGSL: none, a field there.
     pub fn roughness(&self) -> Roughness<R> {
         self.roughness
     }
 
     /// The same mean with another roughness.
+    ///
+    /// WGSL: none, `Lobe(lobe.mean, roughness)` there.
     #[must_use]
     pub fn with_roughness(&self, roughness: Roughness<R>) -> Self {
         Self { roughness, ..*self }
@@ -65,6 +75,8 @@ impl<R: Real> Lobe<R> {
     }
 
     /// The shape that distributions take: any A, any mean.
+    ///
+    /// WGSL: `lobe_shape`.
     pub fn shape(&self) -> Tilted<Full<R>> {
         Tilted::unchecked(Full::new(self.roughness), self.mean)
     }

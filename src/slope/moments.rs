@@ -31,6 +31,8 @@ impl<R: Real> SlopeMoments<R> {
     ///
     /// # Errors
     /// [`Error::Mean`] unless both components lie in $[-10^9, 10^9]$.
+    ///
+    /// WGSL: `lobe_slope_moments_new`.
     pub fn new(mean: impl Into<[R; 2]>, covariance: Psd<R>) -> Result<Self, Error> {
         let mean = mean.into();
         if mean[0].is_slope() && mean[1].is_slope() {
@@ -44,6 +46,8 @@ impl<R: Real> SlopeMoments<R> {
     ///
     /// # Errors
     /// [`Error::Mean`], as [`SlopeMoments::new`].
+    ///
+    /// WGSL: `lobe_slope_moments_of_slope`.
     pub fn of_slope(slope: impl Into<[R; 2]>) -> Result<Self, Error> {
         Self::new(slope, Psd::zero())
     }
@@ -64,6 +68,8 @@ impl<R: Real> SlopeMoments<R> {
     /// assert!((m.covariance().entries()[0] - 0.01).abs() < 1e-7);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_slope_moments_from_raw`.
     pub fn from_raw(mean: impl Into<[R; 2]>, second: [R; 3]) -> Result<Self, Error> {
         let [x, y] = mean.into();
         if !second.iter().all(|m| m.abs() <= R::LARGEST * R::LARGEST) {
@@ -81,11 +87,15 @@ impl<R: Real> SlopeMoments<R> {
     }
 
     /// The mean slope.
+    ///
+    /// WGSL: none, a field there.
     pub fn mean(&self) -> [R; 2] {
         self.mean
     }
 
     /// The covariance of the slopes.
+    ///
+    /// WGSL: none, a field there.
     pub fn covariance(&self) -> Psd<R> {
         self.covariance
     }
@@ -97,6 +107,8 @@ impl<R: Real> SlopeMoments<R> {
     ///
     /// # Errors
     /// [`Error::Weight`] if a weight is negative or not finite, or both are 0.
+    ///
+    /// WGSL: `lobe_slope_moments_merged`.
     pub fn merged(&self, weight: R, other: &Self, other_weight: R) -> Result<Self, Error> {
         let sum = weight + other_weight;
         if !(weight >= R::ZERO && other_weight >= R::ZERO && sum > R::ZERO && sum.is_finite()) {
@@ -115,6 +127,8 @@ impl<R: Real> SlopeMoments<R> {
     /// The lobe of this patch over a base material: mean slope, $A = A_{base} + 2\Sigma$.
     ///
     /// Exact for Beckmann (LEAN); for GGX the variance is added as if it were one.
+    ///
+    /// WGSL: `lobe_slope_moments_lobe`.
     pub fn lobe(&self, base: Roughness<R>) -> Lobe<R> {
         let roughness = base.plus(&Roughness::from_covariance(self.covariance));
         Lobe::centred(roughness).with_mean(self.mean)

@@ -70,6 +70,8 @@ impl<R: Real> Footprint<R> {
     /// assert!((footprint.area() / same.area() - 1.0).abs() < 1e-12);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_footprint_from_motion`.
     #[inline]
     pub fn from_motion(
         half: impl Into<[R; 3]>,

@@ -32,6 +32,8 @@ impl<R: Real> Vertex<R> {
     ///
     /// # Errors
     /// [`Error::Direction`] if the position is not finite, or so near that one over its distance is not.
+    ///
+    /// WGSL: `lobe_vertex_at`.
     pub fn at(position: impl Into<[R; 3]>) -> Result<Self, Error> {
         let position = position.into();
         // Scaled by the largest component: squares of far positions overflow f32.
@@ -52,6 +54,8 @@ impl<R: Real> Vertex<R> {
     ///
     /// # Errors
     /// [`Error::Direction`] if the direction is not finite, or so short that one over its length is not.
+    ///
+    /// WGSL: `lobe_vertex_distant`.
     pub fn distant(direction: impl Into<[R; 3]>) -> Result<Self, Error> {
         Ok(Self { inverse_distance: R::ZERO, ..Self::at(direction)? })
     }
@@ -81,12 +85,16 @@ impl<R: Real> Path<R> {
     /// slope is its negative.
     ///
     /// Zero for a vertex pair whose sum does not point above the surface.
+    ///
+    /// WGSL: `lobe_path_plane_point`.
     pub fn plane_point(&self) -> [R; 2] {
         let g = self.half();
         if g[2] > R::ZERO { [g[0] / g[2], g[1] / g[2]] } else { [R::ZERO; 2] }
     }
 
     /// The half vector without its normalisation, $g = w_i + w_o$.
+    ///
+    /// WGSL: `lobe_path_half_vector`.
     pub fn half(&self) -> [R; 3] {
         let (wo, wi) = (self.eye.direction, self.light.direction);
         [wo[0] + wi[0], wo[1] + wi[1], wo[2] + wi[2]]
@@ -108,6 +116,8 @@ impl<R: Real> Path<R> {
     /// assert!((footprint.extents()[0] - 0.01).abs() < 1e-8);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_path_motion`.
     pub fn motion(&self, step: impl Into<[R; 2]>) -> Motion<R> {
         let [x, y] = step.into();
         let [b11, b12, b22] = self.curvature;
@@ -136,6 +146,8 @@ impl<R: Real> Path<R> {
     /// assert_eq!(path.slope_jacobian(), [[-0.5, 0.0], [0.0, -0.5]]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_path_slope_jacobian`.
     pub fn slope_jacobian(&self) -> Matrix<R> {
         let g = self.half();
         if !(g[2] > R::ZERO) {

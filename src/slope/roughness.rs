@@ -54,6 +54,8 @@ impl<R: Real> Roughness<R> {
     ///
     /// # Errors
     /// [`Error::Alpha`] unless alpha lies in $[0, 10^9]$.
+    ///
+    /// WGSL: `lobe_roughness_from_alpha`.
     pub fn from_alpha(alpha: R) -> Result<Self, Error> {
         let alpha = non_negative(alpha, Error::Alpha)?;
         Ok(Self { matrix: Psd::from_axes(alpha, alpha, R::ONE, R::ZERO) })
@@ -64,6 +66,9 @@ impl<R: Real> Roughness<R> {
     ///
     /// # Errors
     /// [`Error::AlphaX`], [`Error::AlphaY`], [`Error::Angle`].
+    ///
+    /// WGSL: none, shaders have axes, not angles, whose builtin sines differ by 2e-4: `lobe_psd_from_axes` takes
+    /// cosine and sine.
     pub fn from_alphas(alpha_x: R, alpha_y: R, angle: R) -> Result<Self, Error> {
         let alpha_x = non_negative(alpha_x, Error::AlphaX)?;
         let alpha_y = non_negative(alpha_y, Error::AlphaY)?;
@@ -78,6 +83,8 @@ impl<R: Real> Roughness<R> {
     ///
     /// # Errors
     /// [`Error::Perceptual`] outside \[0, 1\].
+    ///
+    /// WGSL: `lobe_roughness_from_perceptual`.
     pub fn from_perceptual(perceptual: R) -> Result<Self, Error> {
         if !(perceptual >= R::ZERO && perceptual <= R::ONE) {
             return Err(Error::Perceptual);
@@ -86,12 +93,16 @@ impl<R: Real> Roughness<R> {
     }
 
     /// From a roughness matrix.
+    ///
+    /// WGSL: `lobe_roughness_from_matrix`.
     #[inline]
     pub fn from_matrix(matrix: Psd<R>) -> Self {
         Self { matrix }
     }
 
     /// From a slope covariance: $A = 2\Sigma$ (exact for Beckmann, a convention for GGX).
+    ///
+    /// WGSL: `lobe_roughness_from_covariance`.
     #[inline]
     pub fn from_covariance(covariance: Psd<R>) -> Self {
         Self { matrix: covariance.scaled(R::TWO) }
@@ -101,6 +112,8 @@ impl<R: Real> Roughness<R> {
     ///
     /// # Errors
     /// [`Error::SigmaX`], [`Error::SigmaY`], [`Error::Rho`] if `|rho| > 1`.
+    ///
+    /// WGSL: `lobe_roughness_from_sigma_rho`.
     pub fn from_sigma_rho(sigma_x: R, sigma_y: R, rho: R) -> Result<Self, Error> {
         let sigma_x = non_negative(sigma_x, Error::SigmaX)?;
         let sigma_y = non_negative(sigma_y, Error::SigmaY)?;
@@ -111,12 +124,16 @@ impl<R: Real> Roughness<R> {
     }
 
     /// The matrix A.
+    ///
+    /// WGSL: none, a field there.
     #[inline]
     pub fn matrix(&self) -> Psd<R> {
         self.matrix
     }
 
     /// The slope covariance $\Sigma = A/2$.
+    ///
+    /// WGSL: `lobe_roughness_covariance`.
     pub fn covariance(&self) -> Psd<R> {
         self.matrix.scaled(R::HALF)
     }
@@ -130,6 +147,8 @@ impl<R: Real> Roughness<R> {
     /// assert!((back.angle - 0.3).abs() < 1e-14);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_roughness_alphas`.
     pub fn alphas(&self) -> Alphas<R> {
         let eigen = self.matrix.eigen();
         let [cos, sin] = eigen.axis;
@@ -139,6 +158,8 @@ impl<R: Real> Roughness<R> {
     }
 
     /// The sum of two roughness matrices: independent layers of slopes.
+    ///
+    /// WGSL: `lobe_roughness_plus`.
     #[must_use]
     #[inline]
     pub fn plus(&self, other: &Self) -> Self {
@@ -160,6 +181,8 @@ impl<R: Real> Roughness<R> {
     /// assert!(m[1][0] == 0.0 && (m[1][1] - 2.0).abs() < 1e-12);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_roughness_chermain_matrix`.
     pub fn chermain_matrix(&self, sigma_o: R) -> Matrix<R> {
         let covariance = self.covariance();
         let [xx, xy, yy] = covariance.entries();

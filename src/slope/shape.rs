@@ -21,6 +21,8 @@ pub trait Shape: Copy {
     const CENTRED: bool;
 
     /// $\sqrt{\det A}$; 0 for a mirror along some axis.
+    ///
+    /// WGSL: `lobe_isotropic_root_det`, `lobe_axis_aligned_root_det`.
     fn root_det(&self) -> Self::Scalar;
 
     /// $n(m) = \sqrt{\det A}\; v^T A^{-1} v$ with $v = m_{xy} + \mu m_z$, for the direction
@@ -28,19 +30,29 @@ pub trait Shape: Copy {
     ///
     /// With $s$ the slope of $m$ and $q = (s - \mu)^T A^{-1} (s - \mu)$: $n = \sqrt{\det A}\, q\,
     /// m_z^2$. Free of divisions by $m_z$, hence valid up to the horizon.
+    ///
+    /// WGSL: `lobe_isotropic_form`, `lobe_axis_aligned_form`, `lobe_full_form`, `lobe_tilted_form`.
     fn form(&self, m: [Self::Scalar; 3], m_low: [Self::Scalar; 3]) -> Self::Scalar;
 
     /// The slope relative to the mean, $s - \mu$, as an unevaluated sum, high and low.
+    ///
+    /// WGSL: `lobe_tilted_offset`.
     fn offset(&self, slope: [Self::Scalar; 2]) -> ([Self::Scalar; 2], [Self::Scalar; 2]);
 
     /// $L^{-1} v$ with $L L^T = A$, for the difference of slopes `v + v_low`: lengths in units of the
     /// lobe. Not defined for a mirror.
+    ///
+    /// WGSL: `lobe_full_whiten`.
     fn whiten(&self, v: [Self::Scalar; 2], v_low: [Self::Scalar; 2]) -> [Self::Scalar; 2];
 
     /// $a^2(w) = w_{xy}^T A\, w_{xy}$.
+    ///
+    /// WGSL: `lobe_isotropic_stretch_squared`, `lobe_axis_aligned_stretch_squared`, `lobe_full_stretch_squared`.
     fn stretch_squared(&self, w: [Self::Scalar; 3]) -> Self::Scalar;
 
     /// $c(w) = w_z - \mu \cdot w_{xy}$, the projected area of the mean plane.
+    ///
+    /// WGSL: `lobe_tilted_mean_area`.
     fn mean_area(&self, w: [Self::Scalar; 3]) -> Self::Scalar;
 }
 
@@ -68,6 +80,8 @@ impl<R: Real> Isotropic<R> {
     /// assert!((ggx.d([0.0, 0.0, 1.0]) - 4.0 / core::f32::consts::PI).abs() < 1e-6);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_isotropic_new`.
     #[inline]
     pub fn new(alpha: R) -> Result<Self, Error> {
         if alpha.is_magnitude() { Ok(Self { alpha }) } else { Err(Error::Alpha) }
@@ -125,6 +139,8 @@ impl<R: Real> AxisAligned<R> {
     /// assert!(brushed.slope_pdf([0.2, 0.0]) > brushed.slope_pdf([0.0, 0.2]));
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_axis_aligned_new`.
     #[inline]
     pub fn new(alpha_x: R, alpha_y: R) -> Result<Self, Error> {
         if !alpha_x.is_magnitude() {
@@ -196,6 +212,8 @@ impl<R: Real> Full<R> {
     /// assert!(ggx.slope_pdf([0.1, 0.1]) > 0.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_full_new`.
     #[inline]
     pub fn new(roughness: Roughness<R>) -> Self {
         let matrix = roughness.matrix();

@@ -27,6 +27,8 @@ impl<S: Shape> Tilted<S> {
     /// assert_eq!(tilted.slope_pdf([0.3, 0.0]), centred.slope_pdf([0.0, 0.0]));
     /// # Ok::<(), lobe::Error>(())
     /// ```
+    ///
+    /// WGSL: `lobe_tilted_new`.
     #[inline]
     pub fn new(shape: S, mean: impl Into<[S::Scalar; 2]>) -> Result<Self, Error> {
         let mean = mean.into();
@@ -62,7 +64,7 @@ impl<S: Shape> Shape for Tilted<S> {
             y_low + (m_low[1] + self.mean[1] * m_low[2]),
         ];
         // Renormalised, as centred shapes other than `Full` ignore the low part.
-        let (x_sum, y_sum) = (x + low[0], y + low[1]);
+        let (x_sum, y_sum) = ((x + low[0]).kept(), (y + low[1]).kept());
         let rest = [low[0] - (x_sum - x), low[1] - (y_sum - y), m_low[2]];
         self.shape.form([x_sum, y_sum, m[2]], rest)
     }

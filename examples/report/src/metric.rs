@@ -7,17 +7,17 @@ pub(crate) const SOFTENING: f64 = 0.01;
 
 /// Errors of a picture against a reference, both scaled to a mean reference radiance of 1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub(crate) struct Errors {
+pub struct Errors {
     /// Root mean square of x - r.
-    pub(crate) rmse: f64,
+    pub rmse: f64,
     /// Mean of $(x - r)^2 / (r^2 + 0.01)$.
-    pub(crate) rel_mse: f64,
+    pub rel_mse: f64,
     /// Mean of $2|x - r| / (|x| + |r|)$, 0 where both are 0: from 0 to 2.
-    pub(crate) smape: f64,
+    pub smape: f64,
     /// Sum of x over sum of r.
-    pub(crate) energy: f64,
+    pub energy: f64,
     /// Largest |x - r|.
-    pub(crate) worst: f64,
+    pub worst: f64,
 }
 
 /// The factor that brings a reference to mean 1 over the judged pixels; 1 for a black one.

@@ -9,7 +9,7 @@ use clap::{Parser, ValueEnum};
 use crate::light::LightKind;
 use crate::reference::Sampling;
 use crate::sequence::Plan;
-use crate::study::Effort;
+use crate::study::{Effort, QUICK_SAMPLES, QUICK_WIDTH};
 
 /// A user's mistake: one line that names the parameter or file.
 #[derive(Debug)]
@@ -134,7 +134,7 @@ impl Options {
     /// How much work the options ask for.
     pub(crate) fn effort(&self) -> Effort {
         let (width, samples, rounds, count) =
-            if self.quick { (240, 192, 41, 2) } else { (400, 320, 101, 3) };
+            if self.quick { (QUICK_WIDTH, QUICK_SAMPLES, 41, 2) } else { (400, 320, 101, 3) };
         let lights = match (self.light, self.quick) {
             (Some(Lights::Distant), _) | (None, true) => vec![LightKind::Distant],
             (Some(Lights::Point), _) => vec![LightKind::Point],

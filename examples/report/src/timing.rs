@@ -118,7 +118,7 @@ fn median(mut values: Vec<f64>) -> f64 {
 }
 
 /// The processor's name where the system tells it, else the target's architecture.
-pub(crate) fn processor() -> String {
+pub fn processor() -> String {
     let listed = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = listed.lines().find_map(|line| line.strip_prefix("model name"));
     match model.and_then(|rest| rest.split_once(':')) {

@@ -50,6 +50,8 @@ fn water_gives_one_self_contained_page_with_finite_numbers() {
     assert_self_contained(&page);
     // One for each distribution; two of water in motion; four measures under two pixels and two figures of Eq. 20.
     assert_eq!(page.matches("<svg").count(), 2 + 2 + 4 * 2 + 2);
+    // On water one filter is the best by RMSE and by SMAPE: no second picture.
+    assert!(page.contains("Best filter, ") && !page.contains("Best by SMAPE"));
     assert_eq!(page.matches("<img").count(), 5);
     // Two alphas; supersampling and rectangles for both distributions, parallelograms for GGX with two kinds
     // of footprints. Each GGX method once over all scenes; in motion GGX at one alpha, without the

@@ -1,6 +1,6 @@
 //! What a method costs in operations, whatever the machine: its shading run on numbers that count.
 
-use lobe::count::{Counted, Operations, operations_of};
+use lobe::probe::{Counted, Operations, operations_of};
 use lobe::slope::Motion;
 use lobe::{Error, Isotropic, Real, Roughness};
 use serde::Serialize;

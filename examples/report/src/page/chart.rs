@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::axis::{Axis, Scale, plain, spread};
 use super::escape;
+use super::grid::{Frame, Ruler};
 
 const WIDTH: f64 = 560.0;
 const HEIGHT: f64 = 372.0;
@@ -71,7 +72,7 @@ impl Chart {
             escape(&self.title)
         );
         // Writing to a String cannot fail; the results are dropped with `.ok()`.
-        self.grid(&mut svg, &x, &y).ok();
+        self.ground(&mut svg, &x, &y).ok();
         let groups = self.groups(&x, &y);
         for group in &groups {
             let (class, path) = (group.class(), cut(&group.path));
@@ -91,32 +92,18 @@ impl Chart {
         outside.map(|line| line.name.as_str()).collect()
     }
 
-    fn grid(&self, svg: &mut String, x: &Axis, y: &Axis) -> std::fmt::Result {
+    /// Grid and axes, and the height that means no error.
+    fn ground(&self, svg: &mut String, x: &Axis, y: &Axis) -> std::fmt::Result {
         let (right, bottom) = (WIDTH - RIGHT, HEIGHT - BOTTOM);
-        for tick in x.ticks() {
-            let at = x.at(tick);
-            writeln!(svg, "<path class=\"grid\" d=\"M{at:.1} {TOP}V{bottom}\"/>")?;
-            let (base, label) = (bottom + 18.0, label(tick, &self.x));
-            writeln!(svg, "<text class=\"tick middle\" x=\"{at:.1}\" y=\"{base}\">{label}</text>")?;
-        }
-        for tick in y.ticks() {
-            let at = y.at(tick);
-            writeln!(svg, "<path class=\"grid\" d=\"M{LEFT} {at:.1}H{right}\"/>")?;
-            let (end, base, label) = (LEFT - 7.0, at + 4.0, label(tick, &self.y));
-            writeln!(svg, "<text class=\"tick end\" x=\"{end}\" y=\"{base:.1}\">{label}</text>")?;
-        }
+        let frame = Frame { left: LEFT, right, top: TOP, bottom, upright: 13.0 };
+        let [of_x, of_y] = [&self.x, &self.y].map(|range| |tick: f64| label(tick, range));
+        let horizontal = Ruler { axis: x, title: self.x.title, label: &of_x };
+        let vertical = Ruler { axis: y, title: self.y.title, label: &of_y };
+        frame.lines(svg, &horizontal, &vertical)?;
         if let Some(value) = self.right {
             writeln!(svg, "<path class=\"right\" d=\"M{LEFT} {:.1}H{right}\"/>", y.at(value))?;
         }
-        writeln!(svg, "<path class=\"axis\" d=\"M{LEFT} {TOP}V{bottom}H{right}\"/>")?;
-        let (middle, base) = (0.5 * (LEFT + right), HEIGHT - 8.0);
-        let title = self.x.title;
-        writeln!(svg, "<text class=\"title middle\" x=\"{middle}\" y=\"{base}\">{title}</text>")?;
-        let (middle, title) = (0.5 * (TOP + bottom), self.y.title);
-        writeln!(
-            svg,
-            "<text class=\"title middle\" transform=\"translate(13 {middle}) rotate(-90)\">{title}</text>"
-        )
+        frame.axes(svg, &horizontal, &vertical)
     }
 
     /// The lines that enter the frame, those that look the same together.

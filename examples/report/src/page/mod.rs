@@ -3,6 +3,7 @@
 mod axis;
 mod chart;
 mod gallery;
+mod grid;
 mod kernels;
 mod measure;
 mod overall;
@@ -11,6 +12,7 @@ mod plot;
 mod proxy;
 mod section;
 mod sequence;
+mod sizes;
 mod table;
 
 use serde::Serialize;
@@ -18,6 +20,7 @@ use serde::Serialize;
 use crate::kernels::Kernels;
 use crate::method::{Distribution, Method};
 use crate::sequence::Sequence;
+use crate::sizes::Sizes;
 use crate::standing::{Advice, Standing, advice, standings};
 use crate::study::{Effort, Panel, Row, Study};
 use crate::timing;
@@ -25,6 +28,7 @@ use section::{equal_samples, equal_time};
 use table::{Line, Table, significant};
 
 pub(crate) use gallery::Cover;
+pub(crate) use picture::Tone;
 pub(crate) use section::text;
 pub(crate) use sequence::text as sequence_text;
 
@@ -33,16 +37,18 @@ pub(crate) struct Report {
     effort: Effort,
     processor: String,
     pub(crate) kernels: Kernels,
+    sizes: Sizes,
     pub(crate) studies: Vec<Study>,
     pub(crate) sequences: Vec<Sequence>,
 }
 
 impl Report {
-    pub(crate) fn new(effort: Effort, kernels: Kernels) -> Self {
+    pub(crate) fn new(effort: Effort, kernels: Kernels, sizes: Sizes) -> Self {
         Self {
             effort,
             processor: timing::processor(),
             kernels,
+            sizes,
             studies: Vec::new(),
             sequences: Vec::new(),
         }
@@ -51,6 +57,11 @@ impl Report {
     /// The filters without a renderer, as text.
     pub(crate) fn kernels_text(&self) -> String {
         kernels::text(&self.kernels)
+    }
+
+    /// The shaders' sizes, as text.
+    pub(crate) fn sizes_text(&self) -> String {
+        sizes::text(&self.sizes)
     }
 
     /// One line per scene and distribution: the best filter, its cost and what it saves; then what the cover shows.
@@ -120,6 +131,7 @@ impl Report {
             studies: &self.studies,
             sequences: &self.sequences,
             kernels: &self.kernels,
+            shaders: &self.sizes,
         };
         serde_json::to_vec_pretty(&data).map_err(|error| format!("report.json: {error}"))
     }
@@ -136,13 +148,14 @@ impl Report {
              <p class=\"lead\">Specular filters at one sample per pixel against plain supersampling, \
              plots at alpha = {}. The large number is how much longer supersampling takes to reach the best \
              filter\u{2019}s error.</p>\n\
-             {front}{}{back}{}{}{}{}</body>\n</html>\n",
+             {front}{}{back}{}{}{}{}{}</body>\n</html>\n",
             include_str!("style.css"),
             self.alpha(),
             self.summary(),
             sections.concat(),
             sequence::html(&self.sequences),
             kernels::html(&self.kernels),
+            sizes::html(&self.sizes),
             self.explanation(methods),
         )
     }
@@ -222,6 +235,7 @@ struct Data<'a> {
     studies: &'a [Study],
     sequences: &'a [Sequence],
     kernels: &'a Kernels,
+    shaders: &'a Sizes,
 }
 
 /// Text for HTML, in elements and in quoted attributes.

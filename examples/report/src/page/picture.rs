@@ -7,7 +7,7 @@ use crate::camera::Size;
 
 /// The tone curve of a scene's pictures, $1 - e^{-k x}$ in sRGB: highlights without a hard edge.
 #[derive(Clone, Copy)]
-pub(super) struct Tone {
+pub(crate) struct Tone {
     exposure: f64,
     /// The radiance that shows as [`WHITE`], in multiples of the mean.
     pub(super) bright: f64,
@@ -18,7 +18,7 @@ pub(super) const WHITE: f64 = 0.8;
 
 impl Tone {
     /// The curve for a reference picture.
-    pub(super) fn of(reference: &[f64]) -> Self {
+    pub(crate) fn of(reference: &[f64]) -> Self {
         let mut sorted = reference.to_vec();
         sorted.sort_by(f64::total_cmp);
         let bright =
@@ -40,6 +40,11 @@ impl Tone {
         byte
     }
 
+    /// Radiances to sRGB bytes.
+    pub(crate) fn grey(self, values: &[f64]) -> Vec<u8> {
+        values.iter().map(|&x| self.byte(x)).collect()
+    }
+
     /// A grey picture as `data:image/png;base64,...`.
     pub(super) fn data_url(self, size: Size, values: &[f64]) -> String {
         format!("data:image/png;base64,{}", STANDARD.encode(self.file(size, values)))
@@ -47,8 +52,7 @@ impl Tone {
 
     /// A grey picture as a PNG file.
     fn file(self, size: Size, values: &[f64]) -> Vec<u8> {
-        let grey: Vec<u8> = values.iter().map(|&x| self.byte(x)).collect();
-        encode(size.width, size.height, &grey)
+        encode(size.width, size.height, &self.grey(values))
     }
 
     /// The middles of pictures of one size side by side, with a white gap, as a PNG file: half their width

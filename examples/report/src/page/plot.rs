@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::axis::{Axis, Scale, plain, spread};
 use super::escape;
+use super::grid::{Frame, Ruler};
 use crate::frontier::{Point, Price};
 use crate::method::Family;
 use crate::study::{Panel, Row};
@@ -38,7 +39,7 @@ pub(super) fn svg(panel: &Panel) -> String {
         panel.distribution.name()
     );
     // Writing to a String cannot fail; the results are dropped with `.ok()`.
-    grid(&mut svg, &axes).ok();
+    ground(&mut svg, &axes).ok();
     line_to_beat(&mut svg, &axes, panel).ok();
     gain(&mut svg, &axes, panel).ok();
     filters(&mut svg, &axes, panel).ok();
@@ -68,30 +69,14 @@ fn axes(points: &[Point]) -> Option<Axes> {
     })
 }
 
-fn grid(svg: &mut String, axes: &Axes) -> std::fmt::Result {
-    let (left, right, top, bottom) = (LEFT, WIDTH - RIGHT, TOP, HEIGHT - BOTTOM);
-    for tick in axes.time.ticks() {
-        let x = axes.time.at(tick);
-        writeln!(svg, "<path class=\"grid\" d=\"M{x:.1} {top}V{bottom}\"/>")?;
-        let y = bottom + 18.0;
-        let label = duration(tick);
-        writeln!(svg, "<text class=\"tick middle\" x=\"{x:.1}\" y=\"{y}\">{label}</text>")?;
-    }
-    for tick in axes.error.ticks() {
-        let y = axes.error.at(tick);
-        writeln!(svg, "<path class=\"grid\" d=\"M{left} {y:.1}H{right}\"/>")?;
-        let (x, base, label) = (left - 7.0, y + 4.0, plain(tick));
-        writeln!(svg, "<text class=\"tick end\" x=\"{x}\" y=\"{base:.1}\">{label}</text>")?;
-    }
-    writeln!(svg, "<path class=\"axis\" d=\"M{left} {top}V{bottom}H{right}\"/>")?;
-    let (x, y) = (0.5 * (left + right), HEIGHT - 10.0);
-    writeln!(svg, "<text class=\"title middle\" x=\"{x}\" y=\"{y}\">time per pixel</text>")?;
-    let (x, y) = (14.0, 0.5 * (top + bottom));
-    writeln!(
-        svg,
-        "<text class=\"title middle\" transform=\"translate({x} {y}) rotate(-90)\">RMSE, mean \
-         radiance = 1</text>"
-    )
+/// Grid and axes.
+fn ground(svg: &mut String, axes: &Axes) -> std::fmt::Result {
+    let (right, bottom) = (WIDTH - RIGHT, HEIGHT - BOTTOM);
+    let frame = Frame { left: LEFT, right, top: TOP, bottom, upright: 14.0 };
+    let time = Ruler { axis: &axes.time, title: "time per pixel", label: &duration };
+    let error = Ruler { axis: &axes.error, title: "RMSE, mean radiance = 1", label: &plain };
+    frame.lines(svg, &time, &error)?;
+    frame.axes(svg, &time, &error)
 }
 
 /// Supersampling: its points, connected, with their sample counts.

@@ -12,6 +12,7 @@ mod strips;
 mod subject;
 mod surface;
 mod torus;
+mod traced;
 mod water;
 
 use lobe::slope::Motion;
@@ -28,6 +29,7 @@ pub(crate) use disc::ACROSS;
 pub(crate) use map::{NormalMap, carried_maps, restless_map};
 pub(crate) use movement::Movement;
 pub(crate) use subject::Subject;
+pub use traced::Traced;
 
 /// What shading needs of one point of the picture, in the point's own shading frame.
 #[derive(Clone, Copy, Debug, Default)]
@@ -119,13 +121,8 @@ impl<R: Scalar> Scene<R> {
         hit: &Hit<R>,
         frame: &Frame<R>,
     ) -> Motion<R> {
-        let length_squared = dot(ray.direction, ray.direction);
-        // The hit stays on the tangent plane (Igehy 1999).
-        let distance = dot(sub(hit.point, ray.eye), ray.direction) / length_squared;
-        let longer = -distance * dot(change, hit.geometric) / dot(ray.direction, hit.geometric);
-        let step = along(scaled(distance, change), longer, ray.direction);
-
-        let length = length_squared.sqrt();
+        let step = step(ray, change, hit);
+        let length = dot(ray.direction, ray.direction).sqrt();
         let forward = scaled(R::ONE / length, ray.direction);
         let eye_turn = scaled(-R::ONE / length, tangential(change, forward));
         let light_turn = self.light.at(hit.point).turn(step);
@@ -137,6 +134,15 @@ impl<R: Scalar> Scene<R> {
             spin: frame.spin(&turn),
         }
     }
+}
+
+/// Where the hit goes on its tangent plane as the ray's direction changes (Igehy 1999).
+#[inline(always)]
+fn step<R: Scalar>(ray: &Ray<R>, change: [R; 3], hit: &Hit<R>) -> [R; 3] {
+    let length_squared = dot(ray.direction, ray.direction);
+    let distance = dot(sub(hit.point, ray.eye), ray.direction) / length_squared;
+    let longer = -distance * dot(change, hit.geometric) / dot(ray.direction, hit.geometric);
+    along(scaled(distance, change), longer, ray.direction)
 }
 
 #[cfg(test)]

@@ -20,6 +20,12 @@ use crate::window::{MARGIN, PixelWindow};
 
 pub(crate) use panel::{Panel, Row};
 
+/// Width of a quick run's pictures.
+pub const QUICK_WIDTH: usize = 240;
+
+/// Samples per pixel of a quick run's references, to deal out by need.
+pub(crate) const QUICK_SAMPLES: u32 = 192;
+
 /// What a run does to every scene.
 #[derive(Clone)]
 pub(crate) struct Effort {

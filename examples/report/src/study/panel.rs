@@ -65,8 +65,18 @@ pub(crate) struct Panel {
 impl Panel {
     /// The filter with the smallest RMSE.
     pub(crate) fn best(&self) -> Option<&Row> {
+        self.best_by(|errors| errors.rmse)
+    }
+
+    /// The filter with the smallest SMAPE.
+    pub(crate) fn best_by_smape(&self) -> Option<&Row> {
+        self.best_by(|errors| errors.smape)
+    }
+
+    /// The filter with the smallest of an error; the first of equal ones.
+    fn best_by(&self, error: fn(&Errors) -> f64) -> Option<&Row> {
         let filters = self.rows.iter().filter(|row| row.filters);
-        filters.min_by(|a, b| a.errors.rmse.total_cmp(&b.errors.rmse))
+        filters.min_by(|a, b| error(&a.errors).total_cmp(&error(&b.errors)))
     }
 
     /// The row of one plain sample.

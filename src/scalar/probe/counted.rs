@@ -1,9 +1,9 @@
 //! A number that counts what is done with it: what a formula costs, whatever the machine.
 //!
-//! Floor 0, feature `count`. An f32 in all its results; every operation is noted for the thread that does it.
+//! Floor 0, feature `probe`. An f32 in all its results; every operation is noted for the thread that does it.
 
-use super::Real;
-use super::real::sealed::Sealed;
+use crate::scalar::Real;
+use crate::scalar::real::sealed::Sealed;
 use core::cell::Cell;
 use core::cmp::Ordering;
 use core::fmt;
@@ -43,7 +43,7 @@ std::thread_local! {
 /// What `f` returns, and the operations on [`Counted`] numbers that it did on this thread.
 ///
 /// ```
-/// use lobe::count::{Counted, operations_of};
+/// use lobe::probe::{Counted, operations_of};
 /// use lobe::{Ggx, Isotropic, Real};
 /// let ggx = Ggx::new(Isotropic::new(Counted::lit(0.1))?);
 /// let slope = [Counted::lit(0.05), Counted::lit(0.0)];

@@ -1,0 +1,42 @@
+//! Error against run time: every filter of lobe against plain supersampling, on scenes with glints.
+//!
+//! `cargo run --release -p lobe-report -- --help`. The way of the data: a `scene` gives samples, a
+//! `method` shades them, `reference` is what they should have given, `metric` and `timing` put numbers
+//! on both, `study` collects a scene's, `sequence` those of a scene in motion, `page` shows them. `kernels`
+//! judges filters of GGX without any scene. [`shot`] gives two of the scenes to other renderers, as plain
+//! numbers.
+
+mod camera;
+mod coverage;
+mod footprints;
+mod frame;
+mod frontier;
+mod kernels;
+mod light;
+mod method;
+mod metric;
+mod options;
+mod output;
+mod overlap;
+mod page;
+mod pattern;
+mod program;
+mod reference;
+mod render;
+mod scalar;
+mod scene;
+mod sequence;
+pub mod shot;
+mod sizes;
+pub mod spirv;
+mod standing;
+mod study;
+mod texture;
+mod timing;
+mod vector;
+mod window;
+
+pub use metric::Errors;
+pub use program::run;
+pub use study::QUICK_WIDTH;
+pub use timing::processor;

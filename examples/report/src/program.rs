@@ -1,0 +1,145 @@
+//! The program: options in, a page and its data out, progress on the way.
+
+use std::io::Write;
+use std::path::Path;
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::camera::Size;
+use crate::kernels::Kernels;
+use crate::method;
+use crate::options::{Mistake, Options, Scenes};
+use crate::output::{self, Output};
+use crate::page::{self, Report};
+use crate::scene::{Movement, NormalMap, Subject, carried_maps, restless_map};
+use crate::sequence::{Plan, Sequence};
+use crate::sizes::Sizes;
+use crate::study::{self, Study};
+use crate::texture::Texture;
+
+/// The program `lobe-report`: reads the command line, studies every scene, writes the page.
+pub fn run() -> ExitCode {
+    match Options::parse_or_explain().and_then(|options| options.map_or(Ok(()), |o| report(&o))) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(mistake) => {
+            eprintln!("error: {mistake}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Checks the input, studies every scene, writes the page.
+fn report(options: &Options) -> Result<(), Mistake> {
+    let effort = options.effort();
+    let size = Size::of_width(effort.width);
+    let maps = maps(options)?;
+    let subjects = subjects(options, size, &maps);
+    let plan = options.plan();
+    let moving = moving(options, Size::of_width(plan.width), &maps)?;
+    let output = Output::prepare(&options.out)?;
+
+    let methods = method::all();
+    let steps = subjects.len() as u64 * study::steps(size, methods.len(), &effort);
+    let bar = ProgressBar::new(steps + moving.len() as u64 * plan.steps());
+    if let Ok(style) = ProgressStyle::with_template("{msg:24} {wide_bar} {percent:>3} %  {eta}") {
+        bar.set_style(style);
+    }
+    let kernels = Kernels::measured().map_err(|error| Mistake(format!("kernels: {error}")))?;
+    let sizes = Sizes::measured().map_err(|error| Mistake(format!("shaders: {error}")))?;
+    let mut report = Report::new(effort.clone(), kernels, sizes);
+    for subject in subjects {
+        bar.set_message(subject.name.clone());
+        let study = Study::run(subject, &methods, &effort, &|steps| bar.inc(steps))
+            .map_err(|error| Mistake(format!("--alpha: {error}")))?;
+        bar.suspend(|| print(&page::text(&study)));
+        report.studies.push(study);
+    }
+    let shown = Plan::methods(method::all());
+    for (subject, movement) in moving {
+        bar.set_message(format!("{} in motion", subject.name));
+        let sequence = Sequence::run(&subject, movement, &shown, &plan, &|steps| bar.inc(steps))
+            .map_err(|error| Mistake(format!("--alpha: {error}")))?;
+        bar.suspend(|| print(&page::sequence_text(&sequence)));
+        report.sequences.push(sequence);
+    }
+    bar.finish_and_clear();
+    print(&report.kernels_text());
+    print(&report.sizes_text());
+    print(&report.advice_text());
+    let cover = report.cover();
+    if let Some(cover) = &cover {
+        output.write(output::COVER, &cover.file)?;
+    }
+    output.write(output::ADVICE, report.advice_markdown().as_bytes())?;
+    output.write(output::DATA, &report.json().map_err(Mistake)?)?;
+    let path = output.write(output::PAGE, report.html(&methods).as_bytes())?;
+    print(&format!("{}Page: {}\n", report.summary_text(cover.as_ref()), path.display()));
+    Ok(())
+}
+
+/// To stdout; a reader who has seen enough may close the pipe.
+fn print(text: &str) {
+    let _ = std::io::stdout().write_all(text.as_bytes());
+}
+
+/// The maps of the scenes asked for, read and decoded.
+fn maps(options: &Options) -> Result<Vec<NormalMap>, Mistake> {
+    let asked = |scene: Scenes| options.scene.include(scene);
+    match &options.normal_map {
+        _ if !asked(Scenes::Plane) && !asked(Scenes::MappedSphere) => Ok(Vec::new()),
+        Some(path) => Ok(vec![normal_map(path)?]),
+        None => carried_maps(!options.quick).map_err(Mistake),
+    }
+}
+
+/// The scenes asked for that are shown in motion, and how they move; a user's map on the ball that turns.
+fn moving(
+    options: &Options,
+    size: Size,
+    maps: &[NormalMap],
+) -> Result<Vec<(Subject, Movement)>, Mistake> {
+    let mut moving = Vec::new();
+    if options.scene.include(Scenes::MappedSphere) {
+        let ball = match (&options.normal_map, maps) {
+            (Some(_), [map, ..]) => Subject::mapped_ball(size, map),
+            _ => Subject::mapped_ball(size, &restless_map().map_err(Mistake)?),
+        };
+        moving.push((ball, Movement::Turn));
+    }
+    if options.scene.include(Scenes::Water) {
+        moving.push((Subject::water(size), Movement::Pan));
+    }
+    Ok(moving)
+}
+
+/// The scenes asked for.
+fn subjects(options: &Options, size: Size, maps: &[NormalMap]) -> Vec<Subject> {
+    let asked = |scene: Scenes| options.scene.include(scene);
+    let mut subjects = Vec::new();
+    let mut add = |scene: Scenes, make: &dyn Fn() -> Vec<Subject>| {
+        if asked(scene) {
+            subjects.extend(make());
+        }
+    };
+    add(Scenes::Water, &|| vec![Subject::water(size)]);
+    add(Scenes::Sphere, &|| vec![Subject::balls(size)]);
+    add(Scenes::Torus, &|| vec![Subject::torus(size)]);
+    add(Scenes::Plane, &|| maps.iter().map(|map| Subject::plane(size, map)).collect());
+    add(Scenes::MappedSphere, &|| maps.iter().map(|map| Subject::mapped_ball(size, map)).collect());
+    add(Scenes::Strip, &|| vec![Subject::strips(size)]);
+    add(Scenes::Disc, &|| vec![Subject::disc(size)]);
+    subjects
+}
+
+/// A user's normal map.
+fn normal_map(path: &Path) -> Result<NormalMap, Mistake> {
+    let mistake = |error: &dyn std::fmt::Display| {
+        Mistake(format!("--normal-map '{}': {error}", path.display()))
+    };
+    let file = std::fs::read(path).map_err(|error| mistake(&error))?;
+    let texture = Texture::decode(&file).map_err(|error| mistake(&error))?;
+    let name = path.file_stem().map_or("normal map".into(), |stem| stem.to_string_lossy());
+    Ok(NormalMap { name: name.into_owned(), texture: Arc::new(texture) })
+}

@@ -1,0 +1,131 @@
+//! What the shaders of usual scenes weigh, and what filtering adds, beside what Kaplanyan et al. counted.
+
+use lobe::wgsl::{Item, Preset, source};
+use serde::Serialize;
+
+use crate::spirv::{assembled, instructions};
+
+/// The text of some items and what becomes of it.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Size {
+    pub(crate) name: String,
+    /// Of WGSL.
+    pub(crate) bytes: usize,
+    pub(crate) functions: usize,
+    /// SPIR-V instructions of all functions.
+    pub(crate) instructions: usize,
+    /// The same of one call of each function asked for, calls written out.
+    pub(crate) inlined: usize,
+}
+
+impl Size {
+    fn of(name: &str, items: &[Item]) -> Result<Self, String> {
+        let text = source(items);
+        let words = assembled(&text).map_err(|error| format!("{name}: {error}"))?;
+        let functions = instructions(&words);
+        let asked =
+            |function: &str| items.iter().any(|item| function == format!("lobe_{}", item.name()));
+        Ok(Self {
+            name: name.to_owned(),
+            bytes: text.len(),
+            functions: functions.len(),
+            instructions: functions.iter().map(|function| function.own).sum(),
+            inlined: functions.iter().filter(|f| asked(&f.name)).map(|f| f.inlined).sum(),
+        })
+    }
+}
+
+/// What a way of filtering adds to a shader.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Overhead {
+    pub(crate) name: &'static str,
+    /// SPIR-V instructions more than without a filter, calls written out.
+    pub(crate) instructions: usize,
+    /// Instructions for NVIDIA in Table 3 of Kaplanyan et al. 2016, with vertex normals or LEAN maps.
+    pub(crate) kaplanyan: Option<usize>,
+}
+
+/// Both tables.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Sizes {
+    pub(crate) presets: Vec<Size>,
+    pub(crate) overheads: Vec<Overhead>,
+}
+
+/// Shading without a filter, with the same shape and distribution.
+fn base(brdf: Item) -> Vec<Item> {
+    vec![Item::RoughnessFromAlpha, Item::FullNew, Item::FullPair, brdf]
+}
+
+impl Sizes {
+    /// Measured on the texts that the library gives out.
+    pub(crate) fn measured() -> Result<Self, String> {
+        let presets = Preset::ALL.iter().map(|preset| Size::of(preset.name(), preset.items()));
+        let (ggx, beckmann) = (base(Item::GgxBrdf), base(Item::BeckmannBrdf));
+        let lean: Vec<Item> = Preset::LeanPlane
+            .items()
+            .iter()
+            .copied()
+            .filter(|item| ![Item::FragmentFootprint, Item::KernelOf, Item::Widened].contains(item))
+            .collect();
+        let cases: [Case; 8] = [
+            ("Beckmann, forward", Preset::ForwardBeckmann.items(), &beckmann, Some(19)),
+            ("Beckmann, forward, LEAN", Preset::LeanPlane.items(), &lean, Some(11)),
+            (
+                "Beckmann or GGX, deferred",
+                Preset::IsotropicDeferred.items(),
+                Preset::Plain.items(),
+                Some(24),
+            ),
+            ("GGX, forward, exact", Preset::ForwardExact.items(), &ggx, Some(272)),
+            ("GGX, forward, his rectangle", &RECTANGLE, &ggx, Some(272)),
+            ("GGX, forward, variance added", Preset::ForwardVariance.items(), &ggx, Some(22)),
+            ("GGX, forward, right peak", Preset::ForwardPeak.items(), &ggx, None),
+            ("GGX, forward, on the projected disk", Preset::ForwardProjected.items(), &ggx, None),
+        ];
+        let overheads = cases.into_iter().map(|(name, with, without, kaplanyan)| {
+            let (with, without) = (Size::of(name, with)?, Size::of(name, without)?);
+            Ok(Overhead { name, instructions: with.inlined - without.inlined, kaplanyan })
+        });
+        Ok(Self {
+            presets: presets.collect::<Result<_, _>>()?,
+            overheads: overheads.collect::<Result<_, String>>()?,
+        })
+    }
+}
+
+/// A name, the items with a filter and those without, and what Kaplanyan et al. counted.
+type Case<'a> = (&'static str, &'a [Item], &'a [Item], Option<usize>);
+
+/// Kaplanyan's Appendix A in place of the density, with the BRDF that it scales.
+const RECTANGLE: [Item; 7] = [
+    Item::FragmentFootprint,
+    Item::FootprintExtents,
+    Item::KaplanyanRectangleMean,
+    Item::RoughnessFromAlpha,
+    Item::FullNew,
+    Item::FullPair,
+    Item::GgxBrdf,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::Sizes;
+
+    #[test]
+    fn what_a_scene_does_not_need_is_not_there() {
+        let sizes = Sizes::measured().expect("valid shaders");
+        let of =
+            |name: &str| sizes.presets.iter().find(|size| size.name == name).expect("a preset");
+        let (plain, exact) = (of("plain"), of("forward_exact"));
+        assert!(plain.bytes * 5 < exact.bytes && plain.inlined * 5 < exact.inlined);
+        // Kaplanyan's order: Beckmann and the proxy are cheap, the exact GGX is not.
+        let added = |name: &str| {
+            let found = sizes.overheads.iter().find(|overhead| overhead.name == name);
+            found.expect("a case").instructions
+        };
+        assert!(added("GGX, forward, variance added") < added("GGX, forward, his rectangle"));
+        assert!(added("GGX, forward, his rectangle") < added("GGX, forward, exact"));
+        assert!(added("Beckmann or GGX, deferred") < added("GGX, forward, variance added"));
+    }
+}

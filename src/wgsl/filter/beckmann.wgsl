@@ -1,0 +1,56 @@
+// Beckmann over a rectangle along its axes. Rust: src/filter/beckmann.rs.
+
+// Rust: `divide`: the quotient and its error.
+fn lobe_beckmann_divide(x: f32, y: f32) -> vec2f {
+    let quotient = lobe_kept(x / y);
+    let product = lobe_two_product(quotient, y);
+    return vec2f(quotient, ((x - product.x) - product.y) / y);
+}
+
+// Rust: `exp_minus_square`.
+fn lobe_beckmann_exp_minus_square(x: f32, x_low: f32) -> f32 {
+    let square = lobe_two_product(x, x);
+    return lobe_exp(-square.x) * (1.0 - (square.y + 2.0 * x * x_low));
+}
+
+// WGSL only: Rust has it as a closure.
+fn lobe_beckmann_relative(half: f32, centre: f32, y: f32) -> f32 {
+    let step = 2.0 * half * y;
+    return lobe_exp(-(step * (2.0 * centre + step)));
+}
+
+// Rust: `gaussian_mean`.
+fn lobe_beckmann_gaussian_mean(slope: f32, width: f32, alpha: f32) -> f32 {
+    let centre = lobe_beckmann_divide(abs(slope), alpha);
+    let half = lobe_beckmann_divide(0.5 * abs(width), alpha);
+    if half.x * (1.0 + 2.0 * centre.x) <= 0.5 {
+        let nodes = LOBE_GAUSS_FOUR;
+        let relative = lobe_gauss_mean(vec4f(
+            lobe_beckmann_relative(half.x, centre.x, nodes.x), lobe_beckmann_relative(half.x, centre.x, nodes.y),
+            lobe_beckmann_relative(half.x, centre.x, nodes.z), lobe_beckmann_relative(half.x, centre.x, nodes.w)
+        ));
+        // 1/sqrt(pi).
+        return 0.5641895835477563 * lobe_beckmann_exp_minus_square(centre.x, centre.y) * relative;
+    }
+    let far = centre.x + half.x;
+    let end = lobe_two_sum(centre.x, -half.x);
+    let near = lobe_two_sum(end.x, end.y + (centre.y - half.y));
+    var mass = 0.0;
+    if near.x >= 0.0 {
+        let between = lobe_exp(-(4.0 * half.x * centre.x));
+        mass = lobe_beckmann_exp_minus_square(near.x, near.y) * (lobe_erfcx(near.x) - lobe_erfcx(far) * between);
+    } else {
+        mass = 2.0 - lobe_erfc(-near.x) - lobe_erfc(far);
+    }
+    return mass / (4.0 * half.x);
+}
+
+// Rust: `beckmann_rectangle_mean`. 0 for NaN.
+fn lobe_beckmann_rectangle_mean(alphas: vec2f, slope: vec2f, widths: vec2f) -> f32 {
+    if !(alphas.x >= LOBE_MIN_POSITIVE && alphas.y >= LOBE_MIN_POSITIVE) {
+        return 0.0;
+    }
+    let along_x = lobe_beckmann_gaussian_mean(slope.x, widths.x, alphas.x) / alphas.x;
+    let along_y = lobe_beckmann_gaussian_mean(slope.y, widths.y, alphas.y) / alphas.y;
+    return lobe_min(lobe_max(along_x * along_y, 0.0), LOBE_MAX);
+}

@@ -1,0 +1,74 @@
+// Widened lobes, and GGX under a Gaussian by quadrature. Rust: src/filter/gaussian.rs.
+
+// Rust: `Roughness::widened`.
+fn lobe_roughness_widened(roughness: LobeRoughness, kernel: LobeKernel) -> LobeRoughness {
+    return lobe_roughness_plus(roughness, lobe_roughness_from_covariance(kernel.covariance));
+}
+
+// Rust: `Lobe::widened`.
+fn lobe_widened(lobe: Lobe, kernel: LobeKernel) -> Lobe {
+    return Lobe(lobe.mean, lobe_roughness_widened(lobe.roughness, kernel));
+}
+
+// WGSL only: the forms and determinants of `ggx_gaussian_mean`, which has them as a closure's captures.
+struct LobeGaussianTerms {
+    base_form: f32,
+    added_form: f32,
+    base_det: f32,
+    mixed: f32,
+    added_det: f32,
+}
+
+// WGSL only: Rust has it as a closure.
+fn lobe_gaussian_exponent(terms: LobeGaussianTerms, t: f32) -> f32 {
+    return (terms.base_form / t + terms.added_form) / ((terms.base_det / t + terms.mixed) / t + terms.added_det);
+}
+
+// WGSL only: Rust has it as a closure.
+fn lobe_gaussian_adjugate_form(psd: LobePsd, d: vec2f, d_low: vec2f) -> f32 {
+    if lobe_psd_is_singular(psd) {
+        let u = select(
+            psd.xy * d.y - psd.yy * d.x, psd.xx * d.y - psd.xy * d.x, psd.xx >= psd.yy
+        );
+        let scale = lobe_max(psd.xx, psd.yy);
+        return select(0.0, u * (u / scale), scale > 0.0);
+    }
+    let full = lobe_full_new(LobeRoughness(psd));
+    return full.root_det * lobe_full_form(full, vec3f(d, 0.0), vec3f(d_low, 0.0));
+}
+
+// Rust: `ggx_gaussian_mean`.
+fn lobe_ggx_gaussian_mean(lobe: Lobe, slope: vec2f, kernel: LobeKernel) -> f32 {
+    let base = lobe.roughness.psd;
+    let added = lobe_psd_scaled(kernel.covariance, 2.0);
+    if lobe_psd_is_singular(lobe_psd_plus(base, added)) {
+        return 0.0;
+    }
+    let offset = lobe_tilted_offset(lobe_shape(lobe), slope);
+    let terms = LobeGaussianTerms(
+        lobe_gaussian_adjugate_form(base, offset.xy, offset.zw),
+        lobe_gaussian_adjugate_form(added, offset.xy, offset.zw),
+        lobe_psd_det(base), lobe_psd_mixed_det(base, added), lobe_psd_det(added)
+    );
+    let step = 0.4375;
+    let reach = 4.0 * step;
+    var reaches = 0;
+    for (; reaches < 39; reaches++) {
+        if !(lobe_gaussian_exponent(terms, lobe_exp(-(reach * f32(reaches)))) > 1.0) {
+            break;
+        }
+    }
+    let start = -(18.0 + reach * f32(reaches));
+    var sum = 0.0;
+    for (var node = 0; node <= 49 + 4 * reaches; node++) {
+        let t = lobe_exp(start + step * f32(node));
+        let det = (terms.base_det / t + terms.mixed) / t + terms.added_det;
+        sum = sum + t * lobe_exp(-t - lobe_gaussian_exponent(terms, t)) / sqrt(det);
+    }
+    let mean = sum * (step * LOBE_INVERSE_PI);
+    if lobe_is_finite(mean) {
+        return mean;
+    }
+    let widened = lobe_shape(lobe_widened(lobe, kernel));
+    return lobe_ggx_slope_pdf(lobe_tilted_normal(widened, vec3f(-slope.x, -slope.y, 1.0)));
+}

@@ -1,0 +1,134 @@
+// GGX over a parallelogram. Rust: src/filter/polygon.rs. For any shape: others become a `LobeFull` by their roughness.
+
+// Rust: `COARSE`.
+const LOBE_POLYGON_COARSE: f32 = 0.0025000000000000005;
+// Rust: `FINE`.
+const LOBE_POLYGON_FINE: f32 = 0.25;
+// Rust: `SHARP`.
+const LOBE_POLYGON_SHARP: f32 = 2.5600000000000005;
+
+// Rust: `tensor`, of the rule of two.
+fn lobe_polygon_tensor_of_two(w: LobeWhitened) -> f32 {
+    var mean = 0.0;
+    for (var k = 0u; k < 2u; k++) {
+        let j = select(LOBE_GAUSS_TWO.y, LOBE_GAUSS_TWO.x, k == 0u);
+        let x = w.centre.x + j * w.v.x;
+        let y = w.centre.y + j * w.v.y;
+        let first = lobe_segment_unit_density(x + LOBE_GAUSS_TWO.x * w.u.x, y + LOBE_GAUSS_TWO.x * w.u.y);
+        let second = lobe_segment_unit_density(x + LOBE_GAUSS_TWO.y * w.u.x, y + LOBE_GAUSS_TWO.y * w.u.y);
+        mean = mean + 0.5 * (0.5 * first + 0.5 * second);
+    }
+    return mean;
+}
+
+// Rust: `tensor`, of the rule of four.
+fn lobe_polygon_tensor_of_four(w: LobeWhitened) -> f32 {
+    var values = vec4f(0.0, 0.0, 0.0, 0.0);
+    for (var k = 0u; k < 4u; k++) {
+        let j = lobe_gauss_point(4u, k).x;
+        let x = w.centre.x + j * w.v.x + LOBE_GAUSS_FOUR * w.u.x;
+        let y = w.centre.y + j * w.v.y + LOBE_GAUSS_FOUR * w.u.y;
+        values[k] = lobe_gauss_mean(vec4f(
+            lobe_segment_unit_density(x.x, y.x), lobe_segment_unit_density(x.y, y.y),
+            lobe_segment_unit_density(x.z, y.z), lobe_segment_unit_density(x.w, y.w)
+        ));
+    }
+    return lobe_gauss_mean(values);
+}
+
+// Rust: `general_mean`.
+fn lobe_polygon_general_mean(frame: LobeFrame) -> f32 {
+    let long = frame.extent * frame.extent > 64.0 * frame.nearness;
+    let thickness_squared = lobe_thin_thickness_squared(frame);
+    if thickness_squared <= LOBE_POLYGON_FINE {
+        return lobe_thin_mean(frame, 4u);
+    }
+    if long && thickness_squared <= LOBE_POLYGON_SHARP {
+        return lobe_thin_mean(frame, 8u);
+    }
+    return lobe_edges_mass(frame) / (frame.extent * frame.height);
+}
+
+// Rust: `Ndf::parallelogram_mean`. 0 for NaN.
+fn lobe_ggx_parallelogram_mean(shape: LobeTilted, slope: vec2f, footprint: LobeFootprint) -> f32 {
+    let sides = lobe_footprint_bounded(footprint);
+    let offset = lobe_polygon_offset_of(shape, slope, vec2f(0.0, 0.0));
+    let whitened = lobe_whitened_new(shape.shape, offset.xy, offset.zw, sides);
+    return lobe_defined(lobe_polygon_mean_of(shape.shape, whitened, offset, sides));
+}
+
+// Rust: `Ndf::mean_of`.
+fn lobe_polygon_mean_of(shape: LobeFull, w: LobeWhitened, offset: vec4f, footprint: LobeFootprint) -> f32 {
+    if !(shape.root_det > 0.0) {
+        return 0.0;
+    }
+    let centre_squared = lobe_strip_dot(w.centre, w.centre);
+    let side_squared = lobe_max(lobe_strip_dot(w.u, w.u), lobe_strip_dot(w.v, w.v));
+    let nearness = 1.0 + 0.4444444444444444 * centre_squared;
+    if side_squared <= LOBE_POLYGON_COARSE * nearness {
+        return lobe_polygon_tensor_of_two(w) / shape.root_det;
+    }
+    if side_squared <= LOBE_POLYGON_FINE * nearness {
+        return lobe_polygon_tensor_of_four(w) / shape.root_det;
+    }
+    let exact_area = lobe_footprint_area(footprint) / shape.root_det;
+    let around = lobe_edges_around_the_lobe(w, centre_squared, side_squared, exact_area);
+    if around >= 0.0 {
+        return around / shape.root_det;
+    }
+    let strip = lobe_strip_new(w);
+    let narrow = lobe_strip_is_narrow(strip);
+    let keeps_digits = lobe_strip_keeps_digits(strip);
+    var sharpened = strip;
+    if narrow && !keeps_digits {
+        sharpened = lobe_strip_sharpened(strip, w, shape, offset.xy, offset.zw, footprint);
+    }
+    if narrow && lobe_strip_is_narrow(sharpened) {
+        return lobe_strip_mean(sharpened) / shape.root_det;
+    }
+    if keeps_digits {
+        return lobe_polygon_general_mean(lobe_frame_plain(w, shape)) / shape.root_det;
+    }
+    let exact = lobe_frame_new(true, w, shape, offset.xy, offset.zw, footprint);
+    return lobe_polygon_general_mean(exact) / shape.root_det;
+}
+
+// Rust: `Ndf::offset_of`: high parts, then low ones.
+fn lobe_polygon_offset_of(shape: LobeTilted, slope: vec2f, slope_low: vec2f) -> vec4f {
+    let offset = lobe_tilted_offset(shape, slope);
+    let x = lobe_two_sum(offset.x, offset.z + slope_low.x);
+    let y = lobe_two_sum(offset.y, offset.w + slope_low.y);
+    return vec4f(x.x, y.x, x.y, y.y);
+}
+
+// Rust: `Ndf::rectangle_mean`. 0 for NaN.
+fn lobe_ggx_rectangle_mean(shape: LobeTilted, slope: vec2f, widths: vec2f) -> f32 {
+    return lobe_ggx_parallelogram_mean(shape, slope, lobe_footprint_rectangle(widths));
+}
+
+// WGSL only: Rust has it as a closure.
+fn lobe_polygon_slope(g: vec2f, z: vec2f) -> vec2f {
+    let slope = lobe_kept(-g.x / z.x);
+    let product = lobe_two_product(slope, z.x);
+    return vec2f(slope, (-(g.x + product.x) - product.y - g.y - slope * z.y) / z.x);
+}
+
+// Rust: `Ndf::brdf_over`. The BRDF itself for a footprint of NaN.
+fn lobe_ggx_brdf_over(shape: LobeTilted, wo: vec3f, wi: vec3f, footprint: LobeFootprint) -> f32 {
+    let brdf = lobe_ggx_brdf(lobe_tilted_pair(shape, wo, wi));
+    let z = lobe_two_sum(wo.z, wi.z);
+    let x = lobe_polygon_slope(lobe_two_sum(wo.x, wi.x), z);
+    let y = lobe_polygon_slope(lobe_two_sum(wo.y, wi.y), z);
+    let slope = vec2f(x.x, y.x);
+    let form = lobe_tilted_form(shape, vec3f(-x.x, -y.x, 1.0), vec3f(-x.y, -y.y, 0.0));
+    let root_det = shape.shape.root_det;
+    let at_point = lobe_ggx_density(form, root_det, 1.0, 1.0, 1.0);
+    let sides = lobe_footprint_bounded(footprint);
+    let offset = lobe_polygon_offset_of(shape, slope, vec2f(x.y, y.y));
+    let whitened = lobe_whitened_new(shape.shape, offset.xy, offset.zw, sides);
+    let mean = lobe_polygon_mean_of(shape.shape, whitened, offset, sides);
+    let ratio = sqrt(mean * LOBE_PI / at_point);
+    let factor = ratio * lobe_secant_ratio(slope, form / root_det, ratio, sides, whitened);
+    let filtered = lobe_min(lobe_max(brdf * factor * factor, 0.0), LOBE_MAX);
+    return select(brdf, filtered, at_point >= LOBE_MIN_POSITIVE);
+}

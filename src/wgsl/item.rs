@@ -1,0 +1,75 @@
+//! What can be asked for.
+//!
+//! Floor 0.
+
+use super::error::Error;
+use super::list::{Kind, OFF};
+use super::module::Module;
+use super::text::declarations;
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+pub use super::list::Item;
+
+impl Item {
+    /// The item's name: a function's or constant's without the prefix `lobe_` or `LOBE_`, or a file's path with `_` for
+    /// `/`.
+    ///
+    /// ```
+    /// use lobe::wgsl::Item;
+    /// assert_eq!(Item::GgxD.name(), "ggx_d");
+    /// assert_eq!(Item::PixelFilterBox.name(), "PIXEL_FILTER_BOX");
+    /// assert_eq!(Item::FilterProjected.name(), "filter_projected");
+    /// ```
+    pub fn name(self) -> &'static str {
+        self.entry().1
+    }
+
+    /// The item of a name.
+    ///
+    /// ```
+    /// use lobe::wgsl::Item;
+    /// assert_eq!(Item::from_name("ggx_d"), Ok(Item::GgxD));
+    /// assert!(Item::from_name("ggx_e").is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Unknown`], and [`Error::Off`] for an item behind a feature that is off.
+    pub fn from_name(name: &str) -> Result<Self, Error> {
+        if let Some(item) = Self::ALL.iter().find(|item| item.name() == name) {
+            return Ok(*item);
+        }
+        match OFF.iter().find(|(off, _)| *off == name) {
+            Some(&(_, feature)) => Err(Error::Off { name: name.to_string(), feature }),
+            None => Err(Error::Unknown(name.to_string())),
+        }
+    }
+
+    /// What it stands for in Rust, or that it is WGSL's alone.
+    ///
+    /// ```
+    /// use lobe::wgsl::Item;
+    /// assert_eq!(Item::GgxD.twin(), Some("Ndf::d"));
+    /// assert_eq!(Item::FullPair.twin(), None);
+    /// ```
+    pub fn twin(self) -> Option<&'static str> {
+        let twin = self.entry().2;
+        (!twin.is_empty()).then_some(twin)
+    }
+
+    /// The declarations that it asks for by name: one, or all of a file.
+    pub(super) fn declared(self) -> Vec<String> {
+        let (kind, name, _) = self.entry();
+        match kind {
+            Kind::Function => alloc::vec![format!("lobe_{name}")],
+            Kind::Constant => alloc::vec![format!("LOBE_{name}")],
+            Kind::File => Module::ALL
+                .iter()
+                .filter(|module| module.path().replace('/', "_") == name)
+                .flat_map(|module| declarations(module.body()))
+                .map(|declaration| declaration.name.to_string())
+                .collect(),
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! The same functions in WGSL, and nothing that a scene does not need.
+//!
+//! Floor 0, feature `wgsl`; needs an allocator, no other crate. Every function of this crate that a shader can use has
+//! a twin: `src/X.rs` and `src/wgsl/X.wgsl`, function by function, named `lobe_` and the Rust name. The texts have no
+//! bindings, no entry points and no directives, so they go into any shader; [`source`] returns the functions asked for
+//! with all that they call, and [`Module`] the files for linkers.
+//!
+//! ```
+//! use lobe::wgsl::{Item, source};
+//! let text = source(&[Item::GgxBrdf, Item::IsotropicNew, Item::IsotropicPair]);
+//! assert!(text.contains("fn lobe_ggx_brdf(") && !text.contains("beckmann"));
+//! let shader = format!("{text}
+//! @fragment fn main(@location(0) wo: vec3f, @location(1) wi: vec3f) -> @location(0) vec4f {{
+//!     let brdf = lobe_ggx_brdf(lobe_isotropic_pair(lobe_isotropic_new(0.1), wo, wi));
+//!     return vec4f(vec3f(brdf * wi.z), 1.0);
+//! }}");
+//! # assert!(shader.len() > text.len());
+//! ```
+//!
+//! What differs from Rust, and where:
+//!
+//! - **Generic functions** are split in two: a shape answers (`lobe_full_normal`, `_view`, `_pair`), a distribution makes
+//!   a number of the answers: `lobe_ggx_d(lobe_full_normal(shape, m))`. Polygon means take `LobeTilted`.
+//! - **Names end in letters**, as translators mark digits: G1 and G2 are `_masking` and `_masking_shadowing`, `atan2` is
+//!   `lobe_atan_of`.
+//! - **Constructors do not fail**: numbers outside their range count as the nearest inside, NaN as 0, and where Rust
+//!   returns an error the result is 0 or a zero footprint. The comment of each function says so. No function returns
+//!   NaN, whatever it is given; but `lobe_min` and `lobe_max` pass on that of their second argument, as Rust's do.
+//!   (A compiler that is told to assume numbers may drop that promise: HLSL without strict IEEE, for one.)
+//! - **Matrices** have their columns first, as WGSL has it; `matrix * vector` means the same.
+//! - **Pixel filters** are passed as their variance: `LOBE_PIXEL_FILTER_BOX` and the like.
+//! - `lobe_fragment_*` take derivatives from the quad, for fragment shaders; CPUs have no quads.
+//!
+//! Equal to Rust in f32 to the bit where no operation is fused or reordered; within a few roundings where compilers do
+//! both (`tests/gpu`, which runs every twin).
+
+mod error;
+mod item;
+mod list;
+mod module;
+mod preset;
+mod text;
+
+pub use error::Error;
+pub use item::Item;
+pub use module::Module;
+pub use preset::Preset;
+pub use text::source;

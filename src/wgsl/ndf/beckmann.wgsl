@@ -1,0 +1,87 @@
+// Beckmann: what it owes as a distribution, and what follows. Rust: src/ndf/beckmann.rs, distribution.rs and masking.rs.
+
+// Rust: `BeckmannDistribution::density`. 0 for NaN.
+fn lobe_beckmann_density(form: f32, root_det: f32, z: f32, length_squared: f32, weight: f32) -> f32 {
+    let square = z * z;
+    let e = lobe_exp(-0.5 * form / (root_det * square));
+    let ratio = length_squared / square;
+    let half = e * ratio;
+    let density = half * (half / root_det * weight);
+    return select(0.0, lobe_defined(density), e > 0.0);
+}
+
+// Rust: `BeckmannDistribution::excess`. 0 for NaN.
+fn lobe_beckmann_excess(c: f32, stretch_squared: f32) -> f32 {
+    let square = lobe_max(stretch_squared, LOBE_MIN_POSITIVE);
+    let a = sqrt(square);
+    return lobe_defined(0.5 * a * lobe_exp(-(c * c / square)) * lobe_ierfcx(c / a));
+}
+
+// Rust: `Distribution::even_area`. 0 for NaN.
+fn lobe_beckmann_even_area(c: f32, stretch_squared: f32) -> f32 {
+    return lobe_defined(abs(c) + 2.0 * lobe_beckmann_excess(abs(c), stretch_squared));
+}
+
+// Rust: `Ndf::slope_pdf`, of a shape's answers at (-slope, 1).
+fn lobe_beckmann_slope_pdf(at: LobeNormal) -> f32 {
+    return lobe_beckmann_d(at);
+}
+
+// Rust: `Ndf::d`, of a shape's answers at a normal.
+fn lobe_beckmann_d(at: LobeNormal) -> f32 {
+    return lobe_density_at(lobe_beckmann_density(at.form, at.root_det, at.z, 1.0, LOBE_INVERSE_PI), at);
+}
+
+// Rust: `Ndf::brdf`, of a shape's answers at a pair of directions.
+fn lobe_beckmann_brdf(at: LobePair) -> f32 {
+    let weight = 0.5 * LOBE_INVERSE_PI / lobe_beckmann_visibility_terms(at.wo, at.wi);
+    return lobe_brdf_at(lobe_beckmann_density(at.form, at.root_det, at.z, at.length_squared, weight), at);
+}
+
+// Rust: `Ndf::projected_area`, of a shape's answers at a direction. 0 for NaN.
+fn lobe_beckmann_projected_area(at: LobeView) -> f32 {
+    let excess = lobe_beckmann_excess(abs(at.mean_area), at.stretch_squared);
+    return lobe_defined(lobe_max(at.mean_area, 0.0) + excess);
+}
+
+// Rust: `Ndf::lambda`. The largest number from below, and for NaN.
+fn lobe_beckmann_lambda(at: LobeView) -> f32 {
+    let lambda = lobe_beckmann_excess(abs(at.mean_area), at.stretch_squared) / at.mean_area;
+    return select(LOBE_MAX, lobe_min(lambda, LOBE_MAX), at.mean_area > 0.0);
+}
+
+// Rust: `Ndf::g1`. 0 for NaN.
+fn lobe_beckmann_masking(at: LobeView) -> f32 {
+    let c = lobe_max(at.mean_area, 0.0);
+    return lobe_max(c / (c + lobe_beckmann_excess(c, at.stretch_squared)), 0.0);
+}
+
+// Rust: `Ndf::g2`. 0 for NaN.
+fn lobe_beckmann_masking_shadowing(wo: LobeView, wi: LobeView) -> f32 {
+    return lobe_masking_shadowing_of(wo.mean_area, wi.mean_area, lobe_beckmann_visibility_terms(wo, wi));
+}
+
+// Rust: `Ndf::visibility`. 0 for NaN.
+fn lobe_beckmann_visibility(wo: LobeView, wi: LobeView) -> f32 {
+    return lobe_visibility_of(wo.mean_area, wi.mean_area, lobe_beckmann_visibility_terms(wo, wi));
+}
+
+// Rust: `Ndf::visibility_terms`: the sum.
+fn lobe_beckmann_visibility_terms(wo: LobeView, wi: LobeView) -> f32 {
+    let area_o = lobe_beckmann_even_area(wo.mean_area, wo.stretch_squared);
+    let area_i = lobe_beckmann_even_area(wi.mean_area, wi.stretch_squared);
+    return area_o * wi.mean_area + area_i * wo.mean_area;
+}
+
+// Rust: `Ndf::lambda_walter`. The largest number from below, and for NaN.
+fn lobe_beckmann_lambda_walter(at: LobeView) -> f32 {
+    if !(at.mean_area > 0.0) {
+        return LOBE_MAX;
+    }
+    let v = at.mean_area / sqrt(lobe_max(at.stretch_squared, LOBE_MIN_POSITIVE));
+    if v >= 1.6 {
+        return 0.0;
+    }
+    let numerator = 1.0 - 1.259 * v + 0.396 * v * v;
+    return lobe_min(numerator / (3.535 * v + 2.181 * v * v), LOBE_MAX);
+}

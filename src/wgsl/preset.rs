@@ -1,0 +1,201 @@
+//! What usual scenes ask for.
+//!
+//! Floor 0.
+
+use super::item::Item;
+use super::text::source;
+use alloc::string::String;
+
+/// A usual scene, and the items that its shaders need.
+///
+/// ```
+/// use lobe::wgsl::Preset;
+/// let sizes: Vec<usize> = Preset::ALL.iter().map(|preset| preset.source().len()).collect();
+/// assert!(sizes[0] < sizes[1]); // no filter, then one
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Preset {
+    /// Isotropic GGX, no filter: what every other preset adds to.
+    Plain,
+    /// A G-buffer's one roughness from the quad's normals, then isotropic GGX.
+    IsotropicDeferred,
+    /// A G-buffer's two roughnesses from the quad's shading frames, then GGX along the axes.
+    AnisotropicDeferred,
+    /// Forward GGX, widened by the quad's kernel on the slope plane.
+    ForwardVariance,
+    /// Forward GGX, widened by the quad's kernel on the projected disk.
+    ForwardProjected,
+    /// Forward GGX, widened to the right peak.
+    ForwardPeak,
+    /// Forward GGX, averaged over the quad's parallelogram.
+    ForwardExact,
+    /// Forward Beckmann, widened by the quad's kernel.
+    ForwardBeckmann,
+    /// A ray tracer's GGX: ray cones, positions and curvature instead of quads.
+    RayTraced,
+    /// A plane with LEAN moments in textures, Beckmann, widened by the quad's kernel.
+    LeanPlane,
+    /// GGX under a spherical Gaussian light and the quad's kernel.
+    AreaLight,
+    /// One call per light with Schlick's reflectance, GGX, widened by the quad's kernel.
+    Facade,
+}
+
+impl Preset {
+    /// Every preset, without a filter first.
+    pub const ALL: [Self; 12] = [
+        Self::Plain,
+        Self::IsotropicDeferred,
+        Self::AnisotropicDeferred,
+        Self::ForwardVariance,
+        Self::ForwardProjected,
+        Self::ForwardPeak,
+        Self::ForwardExact,
+        Self::ForwardBeckmann,
+        Self::RayTraced,
+        Self::LeanPlane,
+        Self::AreaLight,
+        Self::Facade,
+    ];
+
+    /// The preset's name, as a command line takes it.
+    ///
+    /// ```
+    /// assert_eq!(lobe::wgsl::Preset::LeanPlane.name(), "lean_plane");
+    /// ```
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Plain => "plain",
+            Self::IsotropicDeferred => "isotropic_deferred",
+            Self::AnisotropicDeferred => "anisotropic_deferred",
+            Self::ForwardVariance => "forward_variance",
+            Self::ForwardProjected => "forward_projected",
+            Self::ForwardPeak => "forward_peak",
+            Self::ForwardExact => "forward_exact",
+            Self::ForwardBeckmann => "forward_beckmann",
+            Self::RayTraced => "ray_traced",
+            Self::LeanPlane => "lean_plane",
+            Self::AreaLight => "area_light",
+            Self::Facade => "facade",
+        }
+    }
+
+    /// The items.
+    ///
+    /// ```
+    /// use lobe::wgsl::{Item, Preset};
+    /// assert!(Preset::ForwardExact.items().contains(&Item::GgxBrdfOver));
+    /// ```
+    pub fn items(self) -> &'static [Item] {
+        use Item as I;
+        match self {
+            Self::Plain => &[I::IsotropicNew, I::IsotropicPair, I::GgxBrdf],
+            Self::IsotropicDeferred => {
+                &[I::FragmentDeferredAlpha, I::IsotropicNew, I::IsotropicPair, I::GgxBrdf]
+            }
+            Self::AnisotropicDeferred => &[
+                I::QuadNormalFootprint,
+                I::KaplanyanDeferredAlphas,
+                I::AxisAlignedNew,
+                I::AxisAlignedPair,
+                I::GgxBrdf,
+            ],
+            Self::ForwardVariance => &[
+                I::FragmentFootprint,
+                I::KernelOf,
+                I::RoughnessFromAlpha,
+                I::RoughnessWidened,
+                I::FullNew,
+                I::FullPair,
+                I::GgxBrdf,
+            ],
+            Self::ForwardProjected => &[
+                I::FragmentDiskKernel,
+                I::RoughnessFromAlpha,
+                I::RoughnessWidenedOnDisk,
+                I::FullNew,
+                I::FullPair,
+                I::GgxBrdf,
+            ],
+            Self::ForwardPeak => &[
+                I::FragmentFootprint,
+                I::KernelOf,
+                I::RoughnessFromAlpha,
+                I::RoughnessPeakFitted,
+                I::FullNew,
+                I::FullPair,
+                I::GgxBrdf,
+            ],
+            Self::ForwardExact => {
+                &[I::FragmentFootprint, I::RoughnessFromAlpha, I::Centred, I::Shape, I::GgxBrdfOver]
+            }
+            Self::ForwardBeckmann => &[
+                I::FragmentFootprint,
+                I::KernelOf,
+                I::RoughnessFromAlpha,
+                I::RoughnessWidened,
+                I::FullNew,
+                I::FullPair,
+                I::BeckmannBrdf,
+            ],
+            Self::RayTraced => &[
+                I::VertexAt,
+                I::RayConeSteps,
+                I::PathMotion,
+                I::PathHalfVector,
+                I::FootprintFromMotion,
+                I::KernelOf,
+                I::RoughnessFromAlpha,
+                I::RoughnessWidened,
+                I::FullNew,
+                I::FullPair,
+                I::GgxBrdf,
+            ],
+            Self::LeanPlane => &[
+                I::SlopeMomentsFromRaw,
+                I::SlopeMomentsLobe,
+                I::RoughnessFromAlpha,
+                I::FragmentFootprint,
+                I::KernelOf,
+                I::Widened,
+                I::Shape,
+                I::TiltedPair,
+                I::BeckmannBrdf,
+            ],
+            Self::AreaLight => &[
+                I::SphericalGaussianNew,
+                I::SphericalGaussianIntegral,
+                I::SphericalGaussianKernel,
+                I::FragmentFootprint,
+                I::KernelOf,
+                I::KernelThen,
+                I::RoughnessFromAlpha,
+                I::RoughnessWidened,
+                I::FullNew,
+                I::FullPair,
+                I::GgxBrdf,
+            ],
+            Self::Facade => &[
+                I::FragmentFootprint,
+                I::KernelOf,
+                I::RoughnessFromAlpha,
+                I::Centred,
+                I::Bake,
+                I::HalfCosine,
+                I::FresnelSchlick,
+                I::GgxEvaluate,
+            ],
+        }
+    }
+
+    /// The text of the items and of all they use.
+    ///
+    /// ```
+    /// use lobe::wgsl::{Preset, source};
+    /// assert_eq!(Preset::Plain.source(), source(Preset::Plain.items()));
+    /// ```
+    pub fn source(self) -> String {
+        source(self.items())
+    }
+}

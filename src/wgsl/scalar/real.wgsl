@@ -1,0 +1,53 @@
+// The numbers of the trait `Real`, and its selects. Rust: src/scalar/real.rs.
+
+// Rust: `Real::PI`.
+const LOBE_PI: f32 = 3.1415927;
+// Rust: `Real::EPSILON`.
+const LOBE_EPSILON: f32 = 1.1920929e-7;
+// Rust: `Real::MIN_POSITIVE`.
+const LOBE_MIN_POSITIVE: f32 = 1.17549435e-38;
+// Rust: `Real::MAX`.
+const LOBE_MAX: f32 = 3.40282346e38;
+// Rust: `Real::LARGEST`.
+const LOBE_LARGEST: f32 = 1e9;
+
+// Rust: `Real::min`. The builtin may return either if one is NaN.
+fn lobe_min(a: f32, b: f32) -> f32 {
+    return select(b, a, a < b);
+}
+
+// Rust: `Real::max`.
+fn lobe_max(a: f32, b: f32) -> f32 {
+    return select(b, a, a > b);
+}
+
+// Rust: `Real::is_finite`.
+fn lobe_is_finite(x: f32) -> bool {
+    return abs(x) <= LOBE_MAX;
+}
+
+// WGSL only: where a Rust constructor refuses a number outside [0, 1e9], shaders get the nearest; NaN counts as 0.
+fn lobe_magnitude(x: f32) -> f32 {
+    return lobe_min(lobe_max(x, 0.0), LOBE_LARGEST);
+}
+
+// WGSL only: the same for [-limit, limit].
+fn lobe_within(x: f32, limit: f32) -> f32 {
+    return lobe_min(lobe_max(lobe_defined(x), -limit), limit);
+}
+
+// WGSL only: 0 in place of NaN. The comparison is written so that compilers that assume numbers keep it.
+fn lobe_defined(x: f32) -> f32 {
+    return select(0.0, x, x == x);
+}
+
+// Rust: `Real::upper_half`.
+fn lobe_upper_half(x: f32) -> f32 {
+    return bitcast<f32>(bitcast<u32>(x) & 0xfffff000u);
+}
+
+// Rust: `Real::kept`. No compiler knows that no sum has the one pattern of bits that this changes, so none folds
+// (a + b) - a or fuses a * b + c. The minimum is of integers: a select between floats would let literals through.
+fn lobe_kept(x: f32) -> f32 {
+    return bitcast<f32>(min(bitcast<u32>(x), 0xfffffffeu));
+}

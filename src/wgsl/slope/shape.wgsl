@@ -1,0 +1,217 @@
+// Four questions about a lobe, and the shapes that answer them. Rust: src/slope/shape.rs.
+// Generic functions of Rust are split in two here: a shape answers (`lobe_full_normal`, `_view`, `_pair`), and a
+// distribution makes a density, a masking term or a BRDF of the answers (`lobe_ggx_d(lobe_full_normal(...))`).
+
+// WGSL only: what a density asks of a shape at one normal.
+struct LobeNormal {
+    form: f32,
+    root_det: f32,
+    z: f32,
+}
+
+// WGSL only: what masking asks of a shape at one direction.
+struct LobeView {
+    mean_area: f32,
+    stretch_squared: f32,
+}
+
+// WGSL only: what a BRDF asks of a shape at a pair of directions.
+struct LobePair {
+    form: f32,
+    root_det: f32,
+    z: f32,
+    length_squared: f32,
+    wo: LobeView,
+    wi: LobeView,
+    lowest: f32,
+}
+
+// WGSL only: wo + wi, and what the sums left out.
+struct LobeHalfSum {
+    high: vec3f,
+    low: vec3f,
+}
+
+// WGSL only: of `Ndf::brdf`.
+fn lobe_half_sum(wo: vec3f, wi: vec3f) -> LobeHalfSum {
+    let x = lobe_two_sum(wo.x, wi.x);
+    let y = lobe_two_sum(wo.y, wi.y);
+    let z = lobe_two_sum(wo.z, wi.z);
+    return LobeHalfSum(vec3f(x.x, y.x, z.x), vec3f(x.y, y.y, z.y));
+}
+
+// WGSL only: of `Ndf::brdf`.
+fn lobe_pair_of(half: vec3f, form: f32, root_det: f32, wo: LobeView, wi: LobeView, lowest: f32) -> LobePair {
+    let length_squared = half.x * half.x + half.y * half.y + half.z * half.z;
+    return LobePair(form, root_det, half.z, length_squared, wo, wi, lowest);
+}
+
+// Rust: `Isotropic`.
+struct LobeIsotropic {
+    alpha: f32,
+}
+
+// Rust: `Isotropic::new`. Alpha beyond [0, 1e9] counts as the nearest, NaN as 0.
+fn lobe_isotropic_new(alpha: f32) -> LobeIsotropic {
+    return LobeIsotropic(lobe_magnitude(alpha));
+}
+
+// Rust: `Isotropic::root_det`.
+fn lobe_isotropic_root_det(shape: LobeIsotropic) -> f32 {
+    return shape.alpha * shape.alpha;
+}
+
+// Rust: `Isotropic::form`. 0 for NaN.
+fn lobe_isotropic_form(m: vec3f) -> f32 {
+    return lobe_defined(m.x * m.x + m.y * m.y);
+}
+
+// Rust: `Isotropic::stretch_squared`. 0 for NaN.
+fn lobe_isotropic_stretch_squared(shape: LobeIsotropic, w: vec3f) -> f32 {
+    return lobe_defined(lobe_isotropic_root_det(shape) * (w.x * w.x + w.y * w.y));
+}
+
+// WGSL only: its answers at a normal.
+fn lobe_isotropic_normal(shape: LobeIsotropic, m: vec3f) -> LobeNormal {
+    return LobeNormal(lobe_isotropic_form(m), lobe_isotropic_root_det(shape), m.z);
+}
+
+// WGSL only: its answers at a direction.
+fn lobe_isotropic_view(shape: LobeIsotropic, w: vec3f) -> LobeView {
+    return LobeView(w.z, lobe_isotropic_stretch_squared(shape, w));
+}
+
+// WGSL only: its answers at a pair of directions.
+fn lobe_isotropic_pair(shape: LobeIsotropic, wo: vec3f, wi: vec3f) -> LobePair {
+    let half = vec3f(wo.x + wi.x, wo.y + wi.y, wo.z + wi.z);
+    let form = lobe_isotropic_form(half);
+    return lobe_pair_of(
+        half, form, lobe_isotropic_root_det(shape), lobe_isotropic_view(shape, wo), lobe_isotropic_view(shape, wi),
+        lobe_min(wo.z, wi.z)
+    );
+}
+
+// Rust: `AxisAligned`.
+struct LobeAxisAligned {
+    alphas: vec2f,
+    inverse_alphas: vec2f,
+}
+
+// Rust: `AxisAligned::new`. Alphas beyond [0, 1e9] count as the nearest, NaN as 0.
+fn lobe_axis_aligned_new(alpha_x: f32, alpha_y: f32) -> LobeAxisAligned {
+    let alphas = vec2f(lobe_magnitude(alpha_x), lobe_magnitude(alpha_y));
+    let inverse = vec2f(1.0 / lobe_max(alphas.x, LOBE_MIN_POSITIVE), 1.0 / lobe_max(alphas.y, LOBE_MIN_POSITIVE));
+    return LobeAxisAligned(alphas, inverse);
+}
+
+// Rust: `AxisAligned::root_det`.
+fn lobe_axis_aligned_root_det(shape: LobeAxisAligned) -> f32 {
+    return shape.alphas.x * shape.alphas.y;
+}
+
+// Rust: `AxisAligned::form`. 0 for NaN.
+fn lobe_axis_aligned_form(shape: LobeAxisAligned, m: vec3f) -> f32 {
+    let x = m.x * shape.inverse_alphas.x;
+    let y = m.y * shape.inverse_alphas.y;
+    return lobe_defined((x * x + y * y) * lobe_axis_aligned_root_det(shape));
+}
+
+// Rust: `AxisAligned::stretch_squared`. 0 for NaN.
+fn lobe_axis_aligned_stretch_squared(shape: LobeAxisAligned, w: vec3f) -> f32 {
+    let x = shape.alphas.x * w.x;
+    let y = shape.alphas.y * w.y;
+    return lobe_defined(x * x + y * y);
+}
+
+// WGSL only: its answers at a normal.
+fn lobe_axis_aligned_normal(shape: LobeAxisAligned, m: vec3f) -> LobeNormal {
+    return LobeNormal(lobe_axis_aligned_form(shape, m), lobe_axis_aligned_root_det(shape), m.z);
+}
+
+// WGSL only: its answers at a direction.
+fn lobe_axis_aligned_view(shape: LobeAxisAligned, w: vec3f) -> LobeView {
+    return LobeView(w.z, lobe_axis_aligned_stretch_squared(shape, w));
+}
+
+// WGSL only: its answers at a pair of directions.
+fn lobe_axis_aligned_pair(shape: LobeAxisAligned, wo: vec3f, wi: vec3f) -> LobePair {
+    let half = vec3f(wo.x + wi.x, wo.y + wi.y, wo.z + wi.z);
+    let form = lobe_axis_aligned_form(shape, half);
+    return lobe_pair_of(
+        half, form, lobe_axis_aligned_root_det(shape), lobe_axis_aligned_view(shape, wo),
+        lobe_axis_aligned_view(shape, wi), lobe_min(wo.z, wi.z)
+    );
+}
+
+// Rust: `Full`.
+struct LobeFull {
+    xx: f32,
+    xy: f32,
+    root_det: f32,
+    inverse_xx: f32,
+    along: f32,
+    across: f32,
+    schur: f32,
+}
+
+// Rust: `Full::new`.
+fn lobe_full_new(roughness: LobeRoughness) -> LobeFull {
+    let psd = roughness.psd;
+    let xx = psd.xx;
+    let root_det = select(psd.root_det, 0.0, lobe_psd_is_singular(psd));
+    let flat = xx < LOBE_MIN_POSITIVE;
+    let inverse = 1.0 / lobe_max(xx, LOBE_MIN_POSITIVE);
+    let along = root_det * inverse;
+    return LobeFull(
+        xx,
+        psd.xy,
+        root_det,
+        select(inverse, 0.0, flat),
+        along,
+        lobe_min(xx / lobe_max(root_det, LOBE_MIN_POSITIVE), LOBE_MAX),
+        select(root_det * along, psd.yy, flat)
+    );
+}
+
+// Rust: `Full::form`. 0 for NaN.
+fn lobe_full_form(shape: LobeFull, m: vec3f, m_low: vec3f) -> f32 {
+    let low = shape.xx * m_low.y - shape.xy * m_low.x;
+    let u = lobe_difference_of_products(shape.xx, m.y, shape.xy, m.x) + low;
+    let t = u * shape.inverse_xx;
+    return lobe_defined(m.x * m.x * shape.along + t * t * shape.across);
+}
+
+// Rust: `Full::whiten`. 0 for NaN.
+fn lobe_full_whiten(shape: LobeFull, v: vec2f, v_low: vec2f) -> vec2f {
+    let low = shape.xx * v_low.y - shape.xy * v_low.x;
+    let u = lobe_difference_of_products(shape.xx, v.y, shape.xy, v.x) + low;
+    let diagonal = sqrt(shape.xx);
+    return vec2f(
+        lobe_defined((v.x + v_low.x) / diagonal), lobe_defined(u * shape.inverse_xx * diagonal / shape.root_det)
+    );
+}
+
+// Rust: `Full::stretch_squared`. 0 for NaN.
+fn lobe_full_stretch_squared(shape: LobeFull, w: vec3f) -> f32 {
+    let u = lobe_sum_of_products(shape.xx, w.x, shape.xy, w.y);
+    return lobe_defined(u * (u * shape.inverse_xx) + shape.schur * w.y * w.y);
+}
+
+// WGSL only: its answers at a normal.
+fn lobe_full_normal(shape: LobeFull, m: vec3f) -> LobeNormal {
+    return LobeNormal(lobe_full_form(shape, m, vec3f(0.0, 0.0, 0.0)), shape.root_det, m.z);
+}
+
+// WGSL only: its answers at a direction.
+fn lobe_full_view(shape: LobeFull, w: vec3f) -> LobeView {
+    return LobeView(w.z, lobe_full_stretch_squared(shape, w));
+}
+
+// WGSL only: its answers at a pair of directions.
+fn lobe_full_pair(shape: LobeFull, wo: vec3f, wi: vec3f) -> LobePair {
+    let half = lobe_half_sum(wo, wi);
+    let form = lobe_full_form(shape, half.high, half.low);
+    return lobe_pair_of(
+        half.high, form, shape.root_det, lobe_full_view(shape, wo), lobe_full_view(shape, wi), lobe_min(wo.z, wi.z)
+    );
+}

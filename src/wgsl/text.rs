@@ -1,0 +1,99 @@
+//! The text of the mirror, taken apart and put together again.
+//!
+//! Floor 0. The files keep to a shape that needs no parser: a declaration begins at the start of a line, under its
+//! comment, and ends with a line `}` or, for a constant, with a semicolon.
+
+use super::item::Item;
+use super::module::Module;
+use alloc::collections::{BTreeMap, BTreeSet};
+use alloc::string::String;
+use alloc::vec::Vec;
+
+/// A function, constant or structure.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Declaration {
+    pub(super) name: &'static str,
+    /// Comment and code.
+    pub(super) whole: &'static str,
+    /// The code alone.
+    pub(super) code: &'static str,
+}
+
+/// What a file declares, in its order.
+pub(super) fn declarations(body: &'static str) -> Vec<Declaration> {
+    let mut found = Vec::new();
+    // Where the comment above the next declaration begins, and that declaration's code.
+    let (mut comment, mut code, mut at) = (None, None, 0);
+    for line in body.split_inclusive('\n') {
+        let (start, end) = (at, at + line.len());
+        at = end;
+        let text = line.trim_end();
+        if code.is_none() {
+            if text.starts_with("fn ") || text.starts_with("const ") || text.starts_with("struct ")
+            {
+                code = Some(start);
+            } else if text.starts_with("//") {
+                comment = comment.or(Some(start));
+            } else {
+                comment = None;
+            }
+        }
+        let Some(begin) = code else { continue };
+        let constant = body[begin..].starts_with("const ");
+        if (constant && text.ends_with(';')) || (!constant && text == "}") {
+            let (whole, code_text) = (&body[comment.unwrap_or(begin)..end], &body[begin..end]);
+            let name = uses(code_text).next().unwrap_or_default();
+            found.push(Declaration { name, whole, code: code_text });
+            (comment, code) = (None, None);
+        }
+    }
+    found
+}
+
+/// The names with this crate's prefix in a piece of code, as they come, its own first.
+pub(super) fn uses(code: &'static str) -> impl Iterator<Item = &'static str> {
+    let lines = code.lines().map(|line| line.split("//").next().unwrap_or_default());
+    let words =
+        lines.flat_map(|line| line.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')));
+    words.filter(|word| {
+        word.starts_with("lobe_") || word.starts_with("Lobe") || word.starts_with("LOBE_")
+    })
+}
+
+/// The WGSL text of these items and of everything they use, each once and in the order of the files; nothing else.
+///
+/// No bindings, no entry points, no directives: append your shader to it. The same items in any order, or twice, give
+/// the same text; none give an empty one.
+///
+/// ```
+/// use lobe::wgsl::{Item, source};
+/// let text = source(&[Item::GgxD]);
+/// assert!(text.contains("fn lobe_ggx_d(") && text.contains("fn lobe_ggx_density("));
+/// assert!(!text.contains("fn lobe_ggx_brdf("));
+/// assert!(source(&[]).is_empty());
+/// ```
+pub fn source(items: &[Item]) -> String {
+    let files: Vec<(&'static str, Vec<Declaration>)> =
+        Module::ALL.iter().map(|module| (module.path(), declarations(module.body()))).collect();
+    let by_name: BTreeMap<&str, &Declaration> =
+        files.iter().flat_map(|(_, all)| all.iter().map(|d| (d.name, d))).collect();
+    let mut wanted: BTreeSet<&'static str> = BTreeSet::new();
+    let asked = items.iter().flat_map(|item| item.declared());
+    let mut open: Vec<&Declaration> =
+        asked.filter_map(|name| by_name.get(name.as_str()).copied()).collect();
+    while let Some(declaration) = open.pop() {
+        if wanted.insert(declaration.name) {
+            open.extend(uses(declaration.code).filter_map(|name| by_name.get(name).copied()));
+        }
+    }
+    let mut text = String::new();
+    for declaration in files.iter().flat_map(|(_, all)| all) {
+        if wanted.contains(declaration.name) {
+            if !text.is_empty() {
+                text.push('\n');
+            }
+            text.push_str(declaration.whole);
+        }
+    }
+    text
+}

@@ -1,0 +1,279 @@
+//! What twins are given: groups of floats, drawn ordinary and adversarial, and how either language reads them.
+
+use lobe::Footprint;
+
+use crate::arbitrary::{LobeInput, Source};
+
+/// A group of floats with a meaning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Input {
+    /// Any number of any size.
+    Any,
+    /// In [0, 1].
+    Unit,
+    /// In [-1, 1].
+    Cosine,
+    /// A roughness along an axis.
+    Alpha,
+    /// A width, deviation or other size, 0 included.
+    Size,
+    /// An exponent of e within the range of f32.
+    Exponent,
+    /// A positive number of any size.
+    Positive,
+    /// An argument of erfc.
+    Deviation,
+    /// A pixel filter's variance.
+    Variance,
+    /// A limit on alpha^2.
+    Limit,
+    /// One of the engines, as a whole number.
+    Engine,
+    /// A light's sharpness.
+    Sharpness,
+    /// Two numbers of any size.
+    Vector,
+    /// A slope; near the lobe drawn before it, where there is one.
+    Slope,
+    /// A mean slope.
+    Mean,
+    /// A point of the unit disk.
+    Disk,
+    /// Two alphas.
+    Alphas,
+    /// Two widths.
+    Widths,
+    /// A unit direction above the surface.
+    Direction,
+    /// Two of them, as two arguments.
+    Pair,
+    /// Three unit half vectors of neighbouring pixels, as three arguments.
+    Halves,
+    /// A position in space.
+    Position,
+    /// A normal's derivative.
+    Derivative,
+    /// Three reflectances.
+    Reflectance,
+    /// Three indices of refraction.
+    Index,
+    /// Three extinction coefficients.
+    Extinction,
+    /// Three second moments, xx, xy, yy, of a distribution around the mean drawn before.
+    Second,
+    /// Curvature, b11, b12, b22.
+    Curvature,
+    /// A positive semi-definite matrix.
+    Psd,
+    /// The same as a roughness.
+    Roughness,
+    /// A roughness and a mean.
+    Lobe,
+    /// Two derivative vectors of a slope.
+    Footprint,
+    /// A slope covariance.
+    Kernel,
+    /// Four shading frames of a quad, as four arguments.
+    Frames,
+}
+
+/// What later groups want to know of earlier ones.
+#[derive(Default)]
+pub(super) struct Drawn {
+    lobe: Option<LobeInput>,
+    mean: [f64; 2],
+}
+
+impl Input {
+    /// How many floats it takes.
+    pub fn floats(self) -> usize {
+        match self {
+            Self::Vector | Self::Slope | Self::Mean | Self::Disk | Self::Alphas | Self::Widths => 2,
+            Self::Direction
+            | Self::Position
+            | Self::Derivative
+            | Self::Reflectance
+            | Self::Index
+            | Self::Extinction
+            | Self::Second
+            | Self::Curvature
+            | Self::Psd
+            | Self::Roughness => 3,
+            Self::Footprint | Self::Kernel => 4,
+            Self::Lobe => 5,
+            Self::Pair => 6,
+            Self::Halves => 9,
+            Self::Frames => 36,
+            _ => 1,
+        }
+    }
+
+    /// The WGSL expression (or arguments) that reads it from the floats that begin at `base`.
+    pub(super) fn wgsl(self, base: usize) -> String {
+        let at = |k: usize| format!("at({}u)", base + k);
+        let pair = |k: usize| format!("vec2f({}, {})", at(k), at(k + 1));
+        let triple = |k: usize| format!("vec3f({}, {}, {})", at(k), at(k + 1), at(k + 2));
+        let psd = |k: usize| format!("lobe_psd_new({}, {}, {})", at(k), at(k + 1), at(k + 2));
+        let frame =
+            |k: usize| format!("mat3x3f({}, {}, {})", triple(k), triple(k + 3), triple(k + 6));
+        match self {
+            Self::Engine => format!("u32({})", at(0)),
+            Self::Psd => psd(0),
+            Self::Roughness => format!("lobe_roughness_from_matrix({})", psd(0)),
+            Self::Lobe => {
+                format!("lobe_new({}, lobe_roughness_from_matrix({}))", pair(3), psd(0))
+            }
+            Self::Footprint => format!("lobe_footprint_from_slopes({}, {})", pair(0), pair(2)),
+            Self::Kernel => {
+                let outer = format!("lobe_psd_outer_sum({}, {})", pair(0), pair(2));
+                format!("lobe_kernel_from_covariance({outer})")
+            }
+            Self::Pair => format!("{}, {}", triple(0), triple(3)),
+            Self::Halves => format!("{}, {}, {}", triple(0), triple(3), triple(6)),
+            Self::Frames => {
+                format!("{}, {}, {}, {}", frame(0), frame(9), frame(18), frame(27))
+            }
+            other => match other.floats() {
+                1 => at(0),
+                2 => pair(0),
+                _ => triple(0),
+            },
+        }
+    }
+
+    /// Draws it.
+    pub(super) fn draw(self, source: &mut Source, drawn: &mut Drawn, out: &mut Vec<f32>) {
+        let mut put = |values: &[f64]| out.extend(values.iter().map(|&x| x as f32));
+        let s = source;
+        match self {
+            Self::Any => put(&[any(s)]),
+            Self::Unit => put(&[unit(s)]),
+            Self::Cosine => put(&[unit(s) * s.sign()]),
+            Self::Alpha => put(&[s.alpha()]),
+            Self::Size => put(&[size(s, 1e-5, 1e2)]),
+            Self::Exponent => put(&[match s.pick(4) {
+                0 => size(s, 1e-12, 1.0) * s.sign(),
+                _ => s.uniform(-103.0, 88.7),
+            }]),
+            Self::Positive => put(&[match s.pick(4) {
+                0 => 1.0 + s.uniform(-1e-3, 1e-3),
+                _ => s.log_uniform(1e-37, 1e38),
+            }]),
+            Self::Deviation => put(&[s.uniform(0.0, 10.0) * s.sign()]),
+            Self::Variance => {
+                let known = [1.0 / 12.0, 0.25, 0.5 * core::f64::consts::FRAC_1_PI, 0.5];
+                put(&[match s.pick(3) {
+                    0 => s.log_uniform(1e-3, 10.0),
+                    _ => known[s.pick(4) as usize],
+                }]);
+            }
+            Self::Limit => put(&[match s.pick(3) {
+                0 => 0.18,
+                1 => 1e9,
+                _ => size(s, 1e-6, 1e3),
+            }]),
+            Self::Engine => put(&[s.pick(7) as f64]),
+            Self::Sharpness => put(&[s.log_uniform(1e-6, 1e9)]),
+            Self::Vector => put(&[any(s), any(s)]),
+            Self::Slope => put(&match drawn.lobe {
+                Some(lobe) if s.pick(2) == 0 => s.slope_near(&lobe),
+                _ => s.slope(),
+            }),
+            Self::Mean => {
+                drawn.mean = s.mean();
+                put(&drawn.mean);
+            }
+            Self::Disk => put(&s.vector(1e-6, 1.0)),
+            Self::Alphas => put(&[s.alpha(), s.alpha()]),
+            Self::Widths => put(&[size(s, 1e-5, 1e2), size(s, 1e-5, 1e2)]),
+            Self::Direction => put(&s.direction()),
+            Self::Pair => put(&s.pair().concat()),
+            Self::Halves => {
+                let h = s.direction();
+                let mut near = |_| {
+                    let [x, y] = s.vector(1e-6, 0.3);
+                    normalized([h[0] + x, h[1] + y, h[2].max(1e-3)])
+                };
+                put(&[h, near(0), near(1)].concat());
+            }
+            Self::Position => {
+                let (far, w) = (s.log_uniform(1e-3, 1e4), s.direction());
+                put(&w.map(|x| far * x));
+            }
+            Self::Derivative | Self::Curvature => put(&small(s)),
+            Self::Reflectance => put(&[unit(s), unit(s), unit(s)]),
+            Self::Index => put(&[0; 3].map(|_| s.log_uniform(0.05, 5.0))),
+            Self::Extinction => put(&[0; 3].map(|_| size(s, 1e-3, 10.0))),
+            Self::Second => {
+                let ([x, y], e) = (drawn.mean, s.ellipse());
+                let [xx, xy, yy] = e.entries();
+                put(&[0.5 * xx + x * x, 0.5 * xy + x * y, 0.5 * yy + y * y]);
+            }
+            Self::Psd | Self::Roughness => {
+                out.extend(s.ellipse().entries_single());
+            }
+            Self::Lobe => {
+                let lobe = s.lobe();
+                out.extend(lobe.ellipse.entries_single());
+                out.extend(lobe.mean.map(|x| x as f32));
+                drawn.lobe = Some(lobe);
+            }
+            Self::Footprint => {
+                let Footprint { u, v } = s.footprint();
+                put(&[u, v].concat());
+            }
+            Self::Kernel => put(&s.kernel().concat()),
+            Self::Frames => {
+                for _ in 0..4 {
+                    put(&frame(s).concat());
+                }
+            }
+        }
+    }
+}
+
+/// A number of any size and sign, within the squares that f32 holds.
+fn any(s: &mut Source) -> f64 {
+    match s.pick(8) {
+        0 => 0.0,
+        1 => s.sign(),
+        _ => s.log_uniform(1e-18, 1e18) * s.sign(),
+    }
+}
+
+/// A number in [0, 1], its ends included.
+fn unit(s: &mut Source) -> f64 {
+    match s.pick(8) {
+        0 => 0.0,
+        1 => 1.0,
+        2 => s.log_uniform(1e-9, 1.0),
+        _ => s.unit(),
+    }
+}
+
+/// 0, or a size.
+fn size(s: &mut Source, low: f64, high: f64) -> f64 {
+    if s.pick(8) == 0 { 0.0 } else { s.log_uniform(low, high) }
+}
+
+/// A vector of any direction, from 0 to about 1.
+fn small(s: &mut Source) -> [f64; 3] {
+    let length = size(s, 1e-5, 1.0);
+    [0; 3].map(|_| length * s.uniform(-1.0, 1.0))
+}
+
+fn normalized(v: [f64; 3]) -> [f64; 3] {
+    let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    v.map(|x| x / length)
+}
+
+/// Tangent, bitangent and normal, leaning by up to a half from z.
+fn frame(s: &mut Source) -> [[f64; 3]; 3] {
+    let [x, y] = s.vector(1e-4, 0.5);
+    let n = normalized([x, y, 1.0]);
+    let (sin, cos) = s.angle().sin_cos();
+    let along = n[0] * cos + n[1] * sin;
+    let t = normalized([cos - along * n[0], sin - along * n[1], -along * n[2]]);
+    let b = [n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2], n[0] * t[1] - n[1] * t[0]];
+    [t, b, n]
+}

@@ -1,0 +1,143 @@
+//! Every function of the mirror with its twin: the inputs, the WGSL expression, and the same in Rust.
+
+mod filters;
+mod input;
+mod ndf;
+mod scalar;
+mod slope;
+mod value;
+
+use lobe::probe::{Fused, Rounded};
+
+use crate::arbitrary::Source;
+use crate::{Job, needed};
+use input::Drawn;
+pub use input::Input;
+pub use value::Reader;
+
+/// What expressions need beside the mirror.
+const HELPERS: &str = "
+fn put_together(eigen: LobeEigen) -> vec3f {
+    let c = eigen.axis.x;
+    let s = eigen.axis.y;
+    return vec3f(
+        eigen.major * c * c + eigen.minor * s * s, (eigen.major - eigen.minor) * c * s,
+        eigen.major * s * s + eigen.minor * c * c
+    );
+}
+";
+
+/// A pair of twins: one expression in each language, over the same floats.
+#[derive(Clone, Debug)]
+pub struct Twin {
+    /// The item of the mirror that it is about.
+    pub name: String,
+    /// What else it goes through, for names that appear more than once: a shape.
+    pub by: &'static str,
+    /// Its inputs.
+    pub inputs: Vec<Input>,
+    expression: String,
+    statements: &'static str,
+    single: fn(&mut Reader<'_>) -> Vec<f32>,
+    fused: fn(&mut Reader<'_>) -> Vec<Fused>,
+    rounded: fn(&mut Reader<'_>) -> Vec<Rounded>,
+}
+
+impl Twin {
+    /// Floats that one evaluation reads.
+    pub fn reads(&self) -> usize {
+        self.inputs.iter().map(|input| input.floats()).sum()
+    }
+
+    /// Floats that one evaluation writes.
+    pub fn writes(&self) -> usize {
+        self.statements.matches("put(").count()
+    }
+
+    /// The inputs of `count` evaluations, always the same.
+    pub fn draw(&self, count: usize) -> Vec<f32> {
+        let mut floats = Vec::with_capacity(count * self.reads());
+        for seed in 0..count as u64 {
+            let mut source = Source::from_seed(seed);
+            let mut drawn = Drawn::default();
+            for input in &self.inputs {
+                input.draw(&mut source, &mut drawn, &mut floats);
+            }
+        }
+        floats
+    }
+
+    /// What WGSL computes it with: the functions that it needs and no others of the mirror.
+    pub fn library(&self) -> String {
+        let helpers = if self.expression.contains("put_together") { HELPERS } else { "" };
+        needed(&self.body()) + helpers
+    }
+
+    /// The WGSL statements of one evaluation.
+    pub fn body(&self) -> String {
+        let mut text = format!("let r = {};\n{}", self.expression, self.statements);
+        let mut base = 0;
+        for (k, input) in self.inputs.iter().enumerate() {
+            text = text.replace(&format!("${k}"), &input.wgsl(base));
+            base += input.floats();
+        }
+        text
+    }
+
+    /// The job, over a library from [`Twin::library`] and a body from [`Twin::body`].
+    pub fn job<'a>(&self, library: &'a str, body: &'a str) -> Job<'a> {
+        Job { library, body, inputs: self.reads(), outputs: self.writes() }
+    }
+
+    /// Rust's results.
+    pub fn single(&self, floats: &[f32]) -> Vec<f32> {
+        (self.single)(&mut Reader::new(floats))
+    }
+
+    /// Rust's results where every a * b + c is fused.
+    pub fn fused(&self, floats: &[f32]) -> Vec<f32> {
+        (self.fused)(&mut Reader::new(floats)).into_iter().map(Fused::value).collect()
+    }
+
+    /// Rust's results with their scales: what rounding every operation once more could change, in units of 2^-24.
+    pub fn rounded(&self, floats: &[f32]) -> Vec<Rounded> {
+        (self.rounded)(&mut Reader::new(floats))
+    }
+}
+
+/// Writes a table of twins: name, by what, inputs, WGSL with `$k` for the inputs, and Rust over a reader.
+macro_rules! twins {
+    ($($name:literal $(by $by:literal)? ($($input:ident),*) $wgsl:literal => |$x:ident| $rust:expr;)*) => {
+        pub(in crate::twins) fn twins() -> Vec<$crate::twins::Twin> {
+            vec![$({
+                fn eval<R: lobe::Real>($x: &mut $crate::twins::value::Reader<'_>) -> impl $crate::twins::value::Flat<R> + use<R> {
+                    $rust
+                }
+                fn flat<R: lobe::Real>(x: &mut $crate::twins::value::Reader<'_>) -> Vec<R> {
+                    let mut out = Vec::with_capacity(6);
+                    $crate::twins::value::Flat::<R>::flat(eval::<R>(x), &mut out);
+                    out
+                }
+                fn statements<R, F: $crate::twins::value::Flat<R>>(_: fn(&mut $crate::twins::value::Reader<'_>) -> F) -> &'static str {
+                    F::WGSL
+                }
+                $crate::twins::Twin {
+                    name: String::from($name),
+                    by: concat!($($by)?),
+                    inputs: vec![$($crate::twins::Input::$input),*],
+                    expression: String::from($wgsl),
+                    statements: statements::<f32, _>(eval::<f32>),
+                    single: flat::<f32>,
+                    fused: flat::<lobe::probe::Fused>,
+                    rounded: flat::<lobe::probe::Rounded>,
+                }
+            }),*]
+        }
+    };
+}
+use twins;
+
+/// All of them.
+pub fn all() -> Vec<Twin> {
+    [scalar::twins(), slope::twins(), ndf::all_twins(), filters::twins()].concat()
+}

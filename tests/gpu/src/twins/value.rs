@@ -1,0 +1,156 @@
+//! How Rust reads the floats of a twin, and how either language writes its result.
+
+use lobe::filter::DiskKernel;
+use lobe::slope::Motion;
+use lobe::{
+    Alphas, Eigen, Footprint, Kernel, Lobe, PixelFilter, Psd, Real, Roughness, SlopeMoments, Vertex,
+};
+
+/// Reads a twin's floats in their order, in any precision.
+#[derive(Debug)]
+pub struct Reader<'a> {
+    floats: &'a [f32],
+    next: usize,
+}
+
+impl<'a> Reader<'a> {
+    pub(super) fn new(floats: &'a [f32]) -> Self {
+        Self { floats, next: 0 }
+    }
+
+    /// One number as it is.
+    pub(super) fn raw(&mut self) -> f32 {
+        self.next += 1;
+        self.floats[self.next - 1]
+    }
+
+    pub(super) fn f<R: Real>(&mut self) -> R {
+        R::lit(f64::from(self.raw()))
+    }
+
+    pub(super) fn vec<R: Real, const N: usize>(&mut self) -> [R; N] {
+        [0; N].map(|_| self.f())
+    }
+
+    pub(super) fn psd<R: Real>(&mut self) -> Psd<R> {
+        let [xx, xy, yy] = self.vec();
+        Psd::new(xx, xy, yy).unwrap_or_default()
+    }
+
+    pub(super) fn roughness<R: Real>(&mut self) -> Roughness<R> {
+        Roughness::from_matrix(self.psd())
+    }
+
+    pub(super) fn lobe<R: Real>(&mut self) -> Lobe<R> {
+        let roughness = self.roughness();
+        Lobe::new(self.vec(), roughness).unwrap_or_default()
+    }
+
+    pub(super) fn footprint<R: Real>(&mut self) -> Footprint<R> {
+        Footprint { u: self.vec(), v: self.vec() }
+    }
+
+    pub(super) fn kernel<R: Real>(&mut self) -> Kernel<R> {
+        let Footprint { u, v } = self.footprint();
+        Kernel::from_covariance(Psd::outer_sum(u, v))
+    }
+
+    pub(super) fn disk<R: Real>(&mut self) -> DiskKernel<R> {
+        DiskKernel::from_covariance(self.kernel().covariance())
+    }
+
+    pub(super) fn filter(&mut self) -> PixelFilter {
+        PixelFilter::with_variance(f64::from(self.raw())).expect("a drawn variance is in range")
+    }
+}
+
+/// A result as a list of numbers.
+pub(super) trait Flat<R> {
+    /// The WGSL statements that write `r`, from place 0 on; `put` of a place and a value.
+    const WGSL: &'static str;
+    fn flat(self, out: &mut Vec<R>);
+}
+
+impl<R: Real> Flat<R> for R {
+    const WGSL: &'static str = "put(0u, r);";
+    fn flat(self, out: &mut Vec<R>) {
+        out.push(self);
+    }
+}
+
+impl<R: Real> Flat<R> for [R; 2] {
+    const WGSL: &'static str = "put(0u, r.x); put(1u, r.y);";
+    fn flat(self, out: &mut Vec<R>) {
+        out.extend(self);
+    }
+}
+
+impl<R: Real> Flat<R> for [R; 3] {
+    const WGSL: &'static str = "put(0u, r.x); put(1u, r.y); put(2u, r.z);";
+    fn flat(self, out: &mut Vec<R>) {
+        out.extend(self);
+    }
+}
+
+/// A matrix: rows first in Rust, columns first in WGSL.
+impl<R: Real> Flat<R> for [[R; 2]; 2] {
+    const WGSL: &'static str =
+        "put(0u, r[0][0]); put(1u, r[1][0]); put(2u, r[0][1]); put(3u, r[1][1]);";
+    fn flat(self, out: &mut Vec<R>) {
+        out.extend(self.concat());
+    }
+}
+
+/// Two vectors, which are the columns in WGSL.
+pub(super) struct Columns<R>(pub(super) [[R; 2]; 2]);
+
+impl<R: Real> Flat<R> for Columns<R> {
+    const WGSL: &'static str =
+        "put(0u, r[0].x); put(1u, r[0].y); put(2u, r[1].x); put(3u, r[1].y);";
+    fn flat(self, out: &mut Vec<R>) {
+        out.extend(self.0.concat());
+    }
+}
+
+/// Writes `Flat` for a structure: its WGSL fields and its Rust numbers.
+macro_rules! flat {
+    ($($type:ident: $wgsl:literal, |$x:ident| $numbers:expr;)*) => {
+        $(impl<R: Real> Flat<R> for $type<R> {
+            const WGSL: &'static str = $wgsl;
+            fn flat(self, out: &mut Vec<R>) {
+                let $x = self;
+                out.extend($numbers);
+            }
+        })*
+    };
+}
+
+fn four<R: Real>(psd: Psd<R>) -> [R; 4] {
+    let [xx, xy, yy] = psd.entries();
+    [xx, xy, yy, psd.root_det()]
+}
+
+flat! {
+    Psd: "put(0u, r.xx); put(1u, r.xy); put(2u, r.yy); put(3u, r.root_det);", |x| four(x);
+    Roughness: "let m = r.psd; put(0u, m.xx); put(1u, m.xy); put(2u, m.yy); put(3u, m.root_det);",
+        |x| four(x.matrix());
+    Kernel: "let m = r.covariance; put(0u, m.xx); put(1u, m.xy); put(2u, m.yy); put(3u, m.root_det);",
+        |x| four(x.covariance());
+    DiskKernel: "let m = r.as_slopes.covariance; put(0u, m.xx); put(1u, m.xy); put(2u, m.yy); put(3u, m.root_det);",
+        |x| four(x.covariance());
+    Lobe: "let m = r.roughness.psd; put(0u, r.mean.x); put(1u, r.mean.y); put(2u, m.xx); put(3u, m.xy);
+           put(4u, m.yy); put(5u, m.root_det);",
+        |x| x.mean().into_iter().chain(four(x.roughness().matrix()));
+    SlopeMoments: "let m = r.covariance; put(0u, r.mean.x); put(1u, r.mean.y); put(2u, m.xx); put(3u, m.xy);
+                   put(4u, m.yy); put(5u, m.root_det);",
+        |x| x.mean().into_iter().chain(four(x.covariance()));
+    Footprint: "put(0u, r.u.x); put(1u, r.u.y); put(2u, r.v.x); put(3u, r.v.y);", |x| [x.u, x.v].concat();
+    Eigen: "put(0u, r.major); put(1u, r.minor); put(2u, r.axis.x); put(3u, r.axis.y);",
+        |x| [x.major, x.minor, x.axis[0], x.axis[1]];
+    Alphas: "put(0u, r.x); put(1u, r.y); put(2u, r.angle);", |x| [x.x, x.y, x.angle];
+    Motion: "let h = r.half_vector; put(0u, h.x); put(1u, h.y); put(2u, h.z); put(3u, r.normal.x);
+             put(4u, r.normal.y); put(5u, r.spin);",
+        |x| x.half.into_iter().chain(x.normal).chain([x.spin]);
+    Vertex: "let w = r.direction; put(0u, w.x); put(1u, w.y); put(2u, w.z); put(3u, r.inverse_distance);",
+        |x| x.direction.into_iter().chain([x.inverse_distance]);
+}

@@ -1,0 +1,273 @@
+//! Every function of the mirror against its Rust twin, on every driver that is there.
+//!
+//! **Exact mode**: no operation fused, folded or reordered; equal to Rust's f32 to the bit. Only the sign of zero is free,
+//! and results below the smallest normal number, which a driver may flush.
+//!
+//! **As shipped**: the text as wgpu hands it to the driver, whose compiler may fuse and reorder. |gpu - rust| <= k 2^-24
+//! scale, where the scale of an input is what [`Rounded`](lobe::probe::Rounded) says: the sum over all operations of
+//! what one more rounding of each could change. k is [`K`] for every function.
+//!
+//! **Fused**: Rust with every a * b + c fused, as real GPUs do, within the same.
+#![allow(clippy::incompatible_msrv, reason = "tests need a newer compiler, for their oracles")]
+
+use lobe::probe::Rounded;
+use lobe::wgsl::{Item, source};
+use lobe_gpu::twins::{Twin, all};
+use lobe_gpu::{Driver, Gpu, Mode};
+
+/// Inputs per function.
+const COUNT: usize = 100_000;
+
+/// How many scales a result may be off: two evaluations, each within one.
+const K: f64 = 2.0;
+
+/// Runs `law` on every twin and collects what it complains of.
+fn each(law: impl Fn(&Twin) -> Result<String, String>) {
+    let (mut complaints, mut notes) = (Vec::new(), Vec::new());
+    for twin in all() {
+        let title = format!("{} {}", twin.name, twin.by);
+        match law(&twin) {
+            Ok(note) => notes.push(format!("{title}: {note}")),
+            Err(complaint) => complaints.push(format!("{title}: {complaint}")),
+        }
+    }
+    println!("{}", notes.join("\n"));
+    assert!(complaints.is_empty(), "{} twins differ:\n{}", complaints.len(), complaints.join("\n"));
+}
+
+/// What a driver makes of a twin.
+fn on(gpu: &'static Gpu, mode: Mode, twin: &Twin, floats: &[f32]) -> Result<Vec<f32>, String> {
+    let (library, body) = (twin.library(), twin.body());
+    twin.job(&library, &body).run(gpu, mode, floats)
+}
+
+/// Equal to the bit, but for the sign of zero and subnormal numbers.
+fn same(got: f32, want: f32) -> bool {
+    let least = f32::MIN_POSITIVE;
+    got.to_bits() == want.to_bits() || (got.abs() <= least && want.abs() <= least)
+}
+
+#[test]
+fn exact_mode_equals_rust_to_the_bit() {
+    each(|twin| {
+        let floats = twin.draw(COUNT);
+        let got = on(Gpu::lavapipe(), Mode::Exact, twin, &floats)?;
+        let (mut wrong, mut first) = (0, None);
+        for (item, got) in floats.chunks(twin.reads()).zip(got.chunks(twin.writes())) {
+            let want = twin.single(item);
+            if !got.iter().zip(&want).all(|(&got, &want)| same(got, want)) {
+                wrong += 1;
+                first = first.or(Some(format!("{item:?}: {got:?} for {want:?}")));
+            }
+        }
+        match first {
+            Some(first) => Err(format!("{wrong} of {COUNT}, first {first}")),
+            None => Ok(String::from("equal")),
+        }
+    });
+}
+
+/// SwiftShader flushes subnormal numbers, on the way to a result, too. What that changes is rare, and within the scale.
+#[test]
+fn exact_mode_on_swiftshader_but_for_subnormal_numbers() {
+    /// Of 100,000 inputs, those that may meet a subnormal number.
+    const FLUSHED: usize = COUNT / 50;
+    for gpu in Gpu::every().iter().filter(|gpu| gpu.kind() == Driver::SwiftShader) {
+        each(|twin| {
+            let floats = twin.draw(COUNT);
+            let got = on(gpu, Mode::Exact, twin, &floats)?;
+            let mut changed = 0;
+            for (item, got) in floats.chunks(twin.reads()).zip(got.chunks(twin.writes())) {
+                let want = twin.rounded(item);
+                if got.iter().zip(&want).all(|(&got, want)| same(got, want.value())) {
+                    continue;
+                }
+                changed += 1;
+                let near = |(got, want): (&f32, &Rounded)| {
+                    (f64::from(*got) - f64::from(want.value())).abs() <= tolerance(want)
+                };
+                if changed > FLUSHED || !got.iter().zip(&want).all(near) {
+                    return Err(format!(
+                        "{changed} differ, the last {item:?}: {got:?} for {want:?}"
+                    ));
+                }
+            }
+            Ok(format!("{changed} differ"))
+        });
+    }
+}
+
+/// A tolerance that allows anything proves nothing: half of a twin's results are held to this many ulp, and only this
+/// share of them to nothing.
+const LOOSEST: f64 = 1000.0;
+const UNBOUNDED: f64 = 0.05;
+
+/// How far a result may be off; subnormal ones may be 0.
+fn tolerance(want: &Rounded) -> f64 {
+    K * want.bound() + f64::from(f32::MIN_POSITIVE)
+}
+
+/// Results against their tolerances.
+#[derive(Default)]
+struct Tally {
+    wrong: usize,
+    first: Option<String>,
+    /// The largest share of a tolerance that was taken.
+    worst: f64,
+    /// Tolerances in ulp of results other than 0.
+    ulps: Vec<f64>,
+}
+
+impl Tally {
+    fn add(&mut self, item: &[f32], got: &[f32], want: &[Rounded]) {
+        let mut bad = false;
+        for (got, want) in got.iter().zip(want) {
+            let value = f64::from(want.value());
+            let tolerance = tolerance(want);
+            if value != 0.0 {
+                self.ulps.push(tolerance / value.abs() / f64::from(f32::EPSILON));
+            }
+            if got.to_bits() != want.value().to_bits() {
+                let share = (f64::from(*got) - value).abs() / tolerance;
+                self.worst = self.worst.max(share);
+                bad |= !(share <= 1.0);
+            }
+        }
+        if bad {
+            self.wrong += 1;
+            self.first.get_or_insert_with(|| format!("{item:?}: {got:?} for {want:?}"));
+        }
+    }
+
+    fn verdict(mut self) -> Result<String, String> {
+        if let Some(first) = self.first {
+            return Err(format!(
+                "{} of {COUNT}, worst {:.1e}, first {first}",
+                self.wrong, self.worst
+            ));
+        }
+        self.ulps.sort_by(f64::total_cmp);
+        let median = self.ulps.get(self.ulps.len() / 2).copied().unwrap_or(0.0);
+        let unbounded = self.ulps.iter().filter(|ulp| !ulp.is_finite()).count();
+        let text = format!(
+            "{:.2} of the tolerance, whose median is {median:.1} ulp; {unbounded} of {} unbounded",
+            self.worst,
+            self.ulps.len()
+        );
+        let tight = median <= LOOSEST && unbounded as f64 <= UNBOUNDED * self.ulps.len() as f64;
+        if tight { Ok(text) } else { Err(format!("says too little: {text}")) }
+    }
+}
+
+/// The results of a twin within their tolerances.
+fn within(twin: &Twin, got: impl Fn(usize, &[f32]) -> Vec<f32>) -> Result<String, String> {
+    let mut tally = Tally::default();
+    for (k, item) in twin.draw(COUNT).chunks(twin.reads()).enumerate() {
+        tally.add(item, &got(k, item), &twin.rounded(item));
+    }
+    tally.verdict()
+}
+
+fn shipped_on(gpu: &'static Gpu) {
+    each(|twin| {
+        let floats = twin.draw(COUNT);
+        let got = on(gpu, Mode::Shipped, twin, &floats)?;
+        within(twin, |k, _| got[k * twin.writes()..(k + 1) * twin.writes()].to_vec())
+    });
+}
+
+#[test]
+fn as_shipped_within_the_tolerance() {
+    shipped_on(Gpu::lavapipe());
+}
+
+/// Chromium's driver and real GPUs, where they are there. Both flush subnormal numbers, and what comes of them.
+#[test]
+fn other_drivers_within_the_tolerance() {
+    for gpu in Gpu::every().iter().filter(|gpu| gpu.kind() != Driver::Lavapipe) {
+        println!("{}", gpu.name());
+        shipped_on(gpu);
+    }
+}
+
+#[test]
+fn rust_with_every_product_fused_within_the_tolerance() {
+    each(|twin| within(twin, |_, item| twin.fused(item)));
+}
+
+/// Numbers that no function promises anything for, among those that it does.
+fn hostile(twin: &Twin) -> Vec<f32> {
+    const ODD: [f32; 16] = [
+        f32::NAN,
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        0.0,
+        -0.0,
+        1e-40,
+        -1e-45,
+        f32::MIN_POSITIVE,
+        f32::MAX,
+        f32::MIN,
+        1e30,
+        -1e30,
+        1e-30,
+        -1.0,
+        1.0,
+        2.0,
+    ];
+    let mut floats = twin.draw(COUNT / 4);
+    let mut state = 0x2545_f491_4f6c_dd1d_u64;
+    let mut next = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        state >> 33
+    };
+    // One in three is odd, and in one item of four all are.
+    for item in floats.chunks_mut(twin.reads()) {
+        let all = next() % 4 == 0;
+        for x in item {
+            if all || next() % 3 == 0 {
+                *x = ODD[(next() % 16) as usize];
+            }
+        }
+    }
+    floats
+}
+
+#[test]
+fn no_input_gives_nan() {
+    for gpu in Gpu::every() {
+        println!("{}", gpu.name());
+        each(|twin| {
+            // They are made to drop the NaN of their first argument, and to pass on the other.
+            if ["min", "max"].contains(&twin.name.as_str()) {
+                return Ok(String::from("exempt"));
+            }
+            let floats = hostile(twin);
+            let got = on(gpu, Mode::Shipped, twin, &floats)?;
+            let items = floats.chunks(twin.reads()).zip(got.chunks(twin.writes()));
+            let mut bad = items.filter(|(_, got)| got.iter().any(|x| x.is_nan()));
+            match bad.next() {
+                Some((item, got)) => Err(format!("{} items, {item:?}: {got:?}", bad.count() + 1)),
+                None => Ok(String::from("numbers")),
+            }
+        });
+    }
+}
+
+#[test]
+fn every_function_of_the_mirror_is_run() {
+    let run: Vec<String> = all().iter().map(|twin| format!("{} ", twin.name)).collect();
+    let bodies: String = all().iter().map(Twin::body).collect();
+    for item in Item::ALL {
+        let name = item.name();
+        let is_function = source(&[*item]).contains(&format!("fn lobe_{name}("));
+        // Fragment functions have quads, which no compute shader has: tests/render.rs runs them.
+        if is_function && item.twin().is_some() {
+            assert!(run.contains(&format!("{name} ")), "{name} has no entry in src/twins");
+        } else if is_function && !name.starts_with("fragment_") {
+            assert!(bodies.contains(&format!("lobe_{name}(")), "{name} is run by no entry");
+        }
+    }
+}
