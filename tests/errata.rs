@@ -1,6 +1,7 @@
 //! Errors of the papers that this crate covers: the printed formula fails against quadrature or differences, ours holds.
 //!
 //! One test for each, named by paper and equation.
+#![cfg(feature = "published")]
 
 mod common;
 

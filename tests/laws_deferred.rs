@@ -1,4 +1,5 @@
 //! Laws of the deferred forms and of the engines' presets.
+#![cfg(feature = "published")]
 
 mod common;
 

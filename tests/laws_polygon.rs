@@ -1,4 +1,5 @@
 //! Laws of means over polygons: GGX over parallelograms and rectangles, Beckmann over rectangles.
+#![cfg(feature = "published")]
 
 mod common;
 

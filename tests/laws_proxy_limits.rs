@@ -1,4 +1,5 @@
 //! Limits of proxies and kernels: monotone, total, the same in both precisions, and what no proxy has: the tail.
+#![cfg(feature = "published")]
 
 mod common;
 

@@ -1,4 +1,5 @@
 //! The mirror's bijection: each public function has its twin or a reason, docs name each other, constants are bit-equal.
+#![cfg(all(feature = "wgsl", feature = "published"))]
 #![allow(clippy::incompatible_msrv, reason = "tests need a newer compiler, for their oracles")]
 
 #[path = "mirror/rust.rs"]
@@ -220,6 +221,7 @@ fn constants_are_bit_equal() {
             None => value(&rust_text(path).expect("a Rust file"), twin)
                 .unwrap_or_else(|| panic!("no constant {twin} in src/{path}.rs")),
         };
+        assert!(!declared.numbers.is_empty(), "{} has no number", declared.name);
         let weights = declared.name.ends_with("_WEIGHTS");
         let got = &declared.numbers;
         // Quadrature rules state nodes, then weights, and the mirror half of the longest.

@@ -32,7 +32,7 @@ struct Options {
     #[arg(long, value_name = "NAME")]
     preset: Option<String>,
     /// The items with what they are in Rust, and the presets.
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["items", "preset", "lang", "entry"])]
     list: bool,
     /// The language.
     #[arg(long, value_name = "NAME", default_value = "wgsl")]

@@ -38,8 +38,12 @@ impl Output {
     }
 
     /// Everything under a temporary name, which is then changed: no reader ever sees a part.
+    ///
+    /// What is no plain file (a device, a pipe, a link) stays what it is, and is written to.
     fn write(&self, path: &Path) -> std::io::Result<()> {
-        let temporary = beside(path)?;
+        let special =
+            fs::symlink_metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir());
+        let temporary = if special { path.to_path_buf() } else { beside(path)? };
         let written = match self {
             Self::Text(text) => fs::write(&temporary, text),
             Self::Words(words) => {
@@ -57,6 +61,9 @@ impl Output {
                 fs::write(file, text)
             }),
         };
+        if special {
+            return written;
+        }
         let done = written.and_then(|()| fs::rename(&temporary, path));
         if done.is_err() {
             // What remains is not the caller's; that it cannot be removed is no news of its own.

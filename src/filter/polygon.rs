@@ -181,7 +181,7 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     ///
     /// $\tilde D = \overline{P_{22}} / m_z^4$, then as [`Ndf::brdf`], with the height $m_z$ of the normals that the mean
     /// comes from: of a zero footprint the half vector's, and then the result is the BRDF. At half vectors so low
-    /// that $P_{22}$ has no normal number it is the BRDF, too; 0 for a footprint with NaN.
+    /// that $P_{22}$ has no normal number it is the BRDF, too. Sides of NaN count as huge.
     ///
     /// Kaplanyan divides by the half vector's $h_z^4$: of a half vector near the horizon whose footprint reaches the
     /// lobe the mean is the lobe's, and the factor, far beyond a million, is not. What a pixel sees is the mean of

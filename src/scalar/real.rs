@@ -118,7 +118,7 @@ pub trait Real:
     }
     /// Sine and cosine (for constructors: computed in f64, then rounded).
     ///
-    /// WGSL: none, builtins differ by 2e-4 between drivers; only constructors of the CPU use them.
+    /// WGSL: none, a builtin may miss by 2^-11 there; only constructors use them.
     fn sin_cos(self) -> (Self, Self);
     /// $e^x$; 0 below the smallest number, infinity above the largest.
     ///

@@ -1,7 +1,7 @@
 // Derivatives from the quad, for fragment shaders only. Call these at the top level of the entry point, before any
 // branch that pixels of a quad could take differently: browsers refuse them elsewhere. No Rust twin: CPUs have no quads.
 // They are fine: differences within the pixel's own row and column, the same on every driver. Plain ones may come from
-// another row of the quad. WebGPU's compatibility mode has only those: give them to `lobe_footprint_from_slopes` yourself.
+// another row of the quad, and so may these in MSL and GLSL ES, which have no fine ones. WebGPU's compatibility mode has only those: give them to `lobe_footprint_from_slopes` yourself.
 
 // WGSL only: the footprint of half vectors in one tangent frame, from the quad's slopes. Zero where `h` here, beside, below
 // or above is not a vector above its horizon.

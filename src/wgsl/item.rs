@@ -3,8 +3,9 @@
 //! Floor 0.
 
 use super::error::Error;
-use super::list::{Kind, OFF};
+use super::list::OFF;
 use super::module::Module;
+use super::table::Kind;
 use super::text::declarations;
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -46,7 +47,7 @@ impl Item {
         }
     }
 
-    /// What it stands for in Rust, or that it is WGSL's alone.
+    /// What it stands for in Rust; `None` for files, and for what is WGSL's alone.
     ///
     /// ```
     /// use lobe::wgsl::Item;

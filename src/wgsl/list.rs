@@ -3,79 +3,7 @@
 //! Floor 0. One line an item: variant, kind, name, and the Rust item that it is the twin of. `tests/mirror.rs` holds the
 //! table to the texts.
 
-/// Expands the table: the enum, its list, the entries, and the names behind a feature that is off.
-macro_rules! items {
-    (
-        $($variant:ident: $kind:tt $name:literal $(, $twin:literal)?;)*
-        #[feature($feature:literal)]
-        $($gated:ident: $gated_kind:tt $gated_name:literal $(, $gated_twin:literal)?;)*
-    ) => {
-        /// A function or constant of the mirror, or a whole file of it, to ask [`source`](super::source) for.
-        ///
-        /// A file stands for all that it declares. Structures come with what uses them.
-        ///
-        /// ```
-        /// use lobe::wgsl::Item;
-        /// assert!(Item::ALL.iter().all(|item| Item::from_name(item.name()) == Ok(*item)));
-        /// ```
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[non_exhaustive]
-        pub enum Item {
-            $(#[doc = concat!("The ", stringify!($kind), " `", $name, "`" $(, ", twin of `", $twin, "`")?, ".")] $variant,)*
-            $(
-                #[cfg(feature = $feature)]
-                #[doc = concat!("The ", stringify!($gated_kind), " `", $gated_name, "`" $(, ", twin of `", $gated_twin, "`")?, ".")]
-                $gated,
-            )*
-        }
-
-        impl Item {
-            /// Every item, in the order of the files.
-            pub const ALL: &'static [Self] = &[
-                $(Self::$variant,)*
-                $(#[cfg(feature = $feature)] Self::$gated,)*
-            ];
-
-            /// Kind, name and twin; no twin is an empty one.
-            pub(super) fn entry(self) -> (Kind, &'static str, &'static str) {
-                match self {
-                    $(Self::$variant => (kind!($kind), $name, concat!($($twin)?)),)*
-                    $(
-                        #[cfg(feature = $feature)]
-                        Self::$gated => (kind!($gated_kind), $gated_name, concat!($($gated_twin)?)),
-                    )*
-                }
-            }
-        }
-
-        /// Names behind a feature, and the feature.
-        #[cfg(not(feature = $feature))]
-        pub(super) const OFF: &[(&str, &str)] = &[$(($gated_name, $feature),)*];
-        #[cfg(feature = $feature)]
-        pub(super) const OFF: &[(&str, &str)] = &[];
-    };
-}
-
-/// What an item is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    Function,
-    Constant,
-    File,
-}
-
-/// The kind of a keyword.
-macro_rules! kind {
-    (fn) => {
-        Kind::Function
-    };
-    (const) => {
-        Kind::Constant
-    };
-    (file) => {
-        Kind::File
-    };
-}
+use super::table::{Kind, items, kind, word};
 
 items! {
     Pi: const "PI", "Real::PI";
@@ -103,6 +31,7 @@ items! {
     ScalarQuadrature: file "scalar_quadrature";
     PsdNew: fn "psd_new", "Psd::new";
     PsdNearest: fn "psd_nearest", "Psd::nearest";
+    PsdFromAxes: fn "psd_from_axes", "Psd::from_axes";
     PsdOuterSum: fn "psd_outer_sum", "Psd::outer_sum";
     PsdDet: fn "psd_det", "Psd::det";
     PsdTrace: fn "psd_trace", "Psd::trace";

@@ -32,7 +32,7 @@ pub struct Module {
 macro_rules! modules {
     ($($(#[$gate:meta])? $path:literal,)*) => {
         impl Module {
-            /// Every module, callees before callers but for circles.
+            /// Every module, callees before callers.
             pub const ALL: &'static [Self] = &[
                 $($(#[$gate])? Self { path: $path, body: include_str!(concat!($path, ".wgsl")) },)*
             ];
@@ -89,7 +89,7 @@ modules! {
 }
 
 impl Module {
-    /// Path of the file below `src/wgsl`, without its ending: `slope/psd`.
+    /// Path of the file below `src/wgsl`, without its ending: `scalar/psd`.
     pub fn path(&self) -> &'static str {
         self.path
     }

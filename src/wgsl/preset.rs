@@ -38,7 +38,7 @@ pub enum Preset {
     LeanPlane,
     /// GGX under a spherical Gaussian light and the quad's kernel.
     AreaLight,
-    /// One call per light with Schlick's reflectance, GGX, widened by the quad's kernel.
+    /// The facade with Schlick's reflectance, GGX, widened by the quad's kernel.
     Facade,
 }
 
@@ -87,16 +87,24 @@ impl Preset {
     /// use lobe::wgsl::{Item, Preset};
     /// assert!(Preset::ForwardExact.items().contains(&Item::GgxBrdfOver));
     /// ```
+    #[allow(clippy::too_many_lines, reason = "a table")]
     pub fn items(self) -> &'static [Item] {
         use Item as I;
         match self {
             Self::Plain => &[I::IsotropicNew, I::IsotropicPair, I::GgxBrdf],
-            Self::IsotropicDeferred => {
-                &[I::FragmentDeferredAlpha, I::IsotropicNew, I::IsotropicPair, I::GgxBrdf]
-            }
+            Self::IsotropicDeferred => &[
+                I::FragmentDeferredAlpha,
+                I::PixelFilterTokuyoshiKaplanyan,
+                I::KernelAlphaSquaredLimit,
+                I::IsotropicNew,
+                I::IsotropicPair,
+                I::GgxBrdf,
+            ],
             Self::AnisotropicDeferred => &[
                 I::QuadNormalFootprint,
                 I::KaplanyanDeferredAlphas,
+                I::PixelFilterKaplanyan,
+                I::KernelAlphaSquaredLimit,
                 I::AxisAlignedNew,
                 I::AxisAlignedPair,
                 I::GgxBrdf,
@@ -104,6 +112,7 @@ impl Preset {
             Self::ForwardVariance => &[
                 I::FragmentFootprint,
                 I::KernelOf,
+                I::PixelFilterBox,
                 I::RoughnessFromAlpha,
                 I::RoughnessWidened,
                 I::FullNew,
@@ -112,6 +121,7 @@ impl Preset {
             ],
             Self::ForwardProjected => &[
                 I::FragmentDiskKernel,
+                I::PixelFilterTokuyoshiKaplanyan,
                 I::RoughnessFromAlpha,
                 I::RoughnessWidenedOnDisk,
                 I::FullNew,
@@ -121,6 +131,7 @@ impl Preset {
             Self::ForwardPeak => &[
                 I::FragmentFootprint,
                 I::KernelOf,
+                I::PixelFilterBox,
                 I::RoughnessFromAlpha,
                 I::RoughnessPeakFitted,
                 I::FullNew,
@@ -133,6 +144,7 @@ impl Preset {
             Self::ForwardBeckmann => &[
                 I::FragmentFootprint,
                 I::KernelOf,
+                I::PixelFilterBox,
                 I::RoughnessFromAlpha,
                 I::RoughnessWidened,
                 I::FullNew,
@@ -146,6 +158,7 @@ impl Preset {
                 I::PathHalfVector,
                 I::FootprintFromMotion,
                 I::KernelOf,
+                I::PixelFilterBox,
                 I::RoughnessFromAlpha,
                 I::RoughnessWidened,
                 I::FullNew,
@@ -158,6 +171,7 @@ impl Preset {
                 I::RoughnessFromAlpha,
                 I::FragmentFootprint,
                 I::KernelOf,
+                I::PixelFilterBox,
                 I::Widened,
                 I::Shape,
                 I::TiltedPair,
@@ -169,6 +183,7 @@ impl Preset {
                 I::SphericalGaussianKernel,
                 I::FragmentFootprint,
                 I::KernelOf,
+                I::PixelFilterBox,
                 I::KernelThen,
                 I::RoughnessFromAlpha,
                 I::RoughnessWidened,
@@ -179,6 +194,7 @@ impl Preset {
             Self::Facade => &[
                 I::FragmentFootprint,
                 I::KernelOf,
+                I::PixelFilterBox,
                 I::RoughnessFromAlpha,
                 I::Centred,
                 I::Bake,

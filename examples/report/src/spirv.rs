@@ -109,7 +109,7 @@ pub fn instructions(words: &[u32]) -> Vec<Instructions> {
     let mut inlined: HashMap<u32, usize> = HashMap::new();
     let mut found = Vec::new();
     for (id, own, calls) in bodies {
-        let called: usize = calls.iter().filter_map(|callee| inlined.get(callee)).sum();
+        let called: usize = calls.iter().map(|callee| inlined[callee]).sum();
         let whole = own - calls.len() + called;
         inlined.insert(id, whole);
         let name = names.get(&id).cloned().unwrap_or_else(|| format!("%{id}"));

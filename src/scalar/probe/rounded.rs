@@ -201,7 +201,9 @@ impl Real for Rounded {
 
     fn lit(x: f64) -> Self {
         let value = x as f32;
-        let error = if f64::from(value) == x { 0.0 } else { x.abs() };
+        // One rounding, and all of it where nothing is left.
+        let missed = (f64::from(value) - x).abs() / UNIT;
+        let error = if missed == 0.0 { 0.0 } else { missed.max(x.abs()) };
         Self::result(value, 0.0, error)
     }
     fn to_f64(self) -> f64 {
@@ -277,7 +279,7 @@ impl Real for Rounded {
         // 2 x^2 / (1 + x^2)^2, which grows up to 1.
         let most = (x + error).min(1.0);
         let slope = 2.0 * (most / (1.0 + most * most)).powi(2);
-        Self::result(self.value.atan_excess(), 6.0, slope * self.units())
+        Self::result(self.value.atan_excess(), 11.0, slope * self.units())
     }
     fn upper_half(self) -> Self {
         Self { value: self.value.upper_half(), ..self }

@@ -45,9 +45,10 @@ fn lobe_beckmann_gaussian_mean(slope: f32, width: f32, alpha: f32) -> f32 {
     return mass / (4.0 * half.x);
 }
 
-// Rust: `beckmann_rectangle_mean`. 0 for NaN.
+// Rust: `beckmann_rectangle_mean`. 0 for NaN and for infinite slopes.
 fn lobe_beckmann_rectangle_mean(alphas: vec2f, slope: vec2f, widths: vec2f) -> f32 {
-    if !(alphas.x >= LOBE_MIN_POSITIVE && alphas.y >= LOBE_MIN_POSITIVE) {
+    let known = lobe_is_finite(slope.x) && lobe_is_finite(slope.y) && widths.x == widths.x && widths.y == widths.y;
+    if !(known && alphas.x >= LOBE_MIN_POSITIVE && alphas.y >= LOBE_MIN_POSITIVE) {
         return 0.0;
     }
     let along_x = lobe_beckmann_gaussian_mean(slope.x, widths.x, alphas.x) / alphas.x;

@@ -37,11 +37,12 @@ fn lobe_gaussian_adjugate_form(psd: LobePsd, d: vec2f, d_low: vec2f) -> f32 {
     return full.root_det * lobe_full_form(full, vec3f(d, 0.0), vec3f(d_low, 0.0));
 }
 
-// Rust: `ggx_gaussian_mean`.
+// Rust: `ggx_gaussian_mean`. 0 for a slope that is infinite or NaN.
 fn lobe_ggx_gaussian_mean(lobe: Lobe, slope: vec2f, kernel: LobeKernel) -> f32 {
     let base = lobe.roughness.psd;
     let added = lobe_psd_scaled(kernel.covariance, 2.0);
-    if lobe_psd_is_singular(lobe_psd_plus(base, added)) {
+    let known = lobe_is_finite(slope.x) && lobe_is_finite(slope.y);
+    if !known || lobe_psd_is_singular(lobe_psd_plus(base, added)) {
         return 0.0;
     }
     let offset = lobe_tilted_offset(lobe_shape(lobe), slope);

@@ -49,12 +49,13 @@ fn lobe_polygon_general_mean(frame: LobeFrame) -> f32 {
     return lobe_edges_mass(frame) / (frame.extent * frame.height);
 }
 
-// Rust: `Ndf::parallelogram_mean`. 0 for NaN.
+// Rust: `Ndf::parallelogram_mean`. 0 for a slope that is infinite or NaN; sides of NaN count as huge.
 fn lobe_ggx_parallelogram_mean(shape: LobeTilted, slope: vec2f, footprint: LobeFootprint) -> f32 {
     let sides = lobe_footprint_bounded(footprint);
     let offset = lobe_polygon_offset_of(shape, slope, vec2f(0.0, 0.0));
     let whitened = lobe_whitened_new(shape.shape, offset.xy, offset.zw, sides);
-    return lobe_defined(lobe_polygon_mean_of(shape.shape, whitened, offset, sides));
+    let mean = lobe_defined(lobe_polygon_mean_of(shape.shape, whitened, offset, sides));
+    return select(0.0, mean, lobe_is_finite(slope.x) && lobe_is_finite(slope.y));
 }
 
 // Rust: `Ndf::mean_of`.
@@ -101,7 +102,7 @@ fn lobe_polygon_offset_of(shape: LobeTilted, slope: vec2f, slope_low: vec2f) -> 
     return vec4f(x.x, y.x, x.y, y.y);
 }
 
-// Rust: `Ndf::rectangle_mean`. 0 for NaN.
+// Rust: `Ndf::rectangle_mean`. 0 for a slope that is infinite or NaN; a width of NaN counts as 0.
 fn lobe_ggx_rectangle_mean(shape: LobeTilted, slope: vec2f, widths: vec2f) -> f32 {
     return lobe_ggx_parallelogram_mean(shape, slope, lobe_footprint_rectangle(widths));
 }
@@ -113,7 +114,7 @@ fn lobe_polygon_slope(g: vec2f, z: vec2f) -> vec2f {
     return vec2f(slope, (-(g.x + product.x) - product.y - g.y - slope * z.y) / z.x);
 }
 
-// Rust: `Ndf::brdf_over`. The BRDF itself for a footprint of NaN.
+// Rust: `Ndf::brdf_over`. Sides of NaN count as huge.
 fn lobe_ggx_brdf_over(shape: LobeTilted, wo: vec3f, wi: vec3f, footprint: LobeFootprint) -> f32 {
     let brdf = lobe_ggx_brdf(lobe_tilted_pair(shape, wo, wi));
     let z = lobe_two_sum(wo.z, wi.z);

@@ -34,7 +34,7 @@ fn lobe_psd_from_entries(xx: f32, xy: f32, yy: f32) -> LobePsd {
     return LobePsd(xx, xy, yy, sqrt(lobe_max(det, 0.0)));
 }
 
-// Rust: `Psd::nearest`. Entries beyond 4e18 count as that; 0 for NaN.
+// Rust: `Psd::nearest`. Entries beyond 4e18 count as about that; 0 for NaN.
 fn lobe_psd_nearest(xx: f32, xy: f32, yy: f32) -> LobePsd {
     let x = lobe_within(xx, 4e18);
     let m = lobe_within(xy, 4e18);
@@ -48,8 +48,13 @@ fn lobe_psd_nearest(xx: f32, xy: f32, yy: f32) -> LobePsd {
     return lobe_psd_outer_sum(vec2f(length * along.y, length * along.z), vec2f(0.0, 0.0));
 }
 
-// Rust: `Psd::from_axes`.
-fn lobe_psd_from_axes(x: f32, y: f32, cosine: f32, sine: f32) -> LobePsd {
+// Rust: `Psd::from_axes`. Numbers outside their ranges count as the nearest, NaN as 0.
+fn lobe_psd_from_axes(along: f32, across: f32, cos_of_turn: f32, sin_of_turn: f32) -> LobePsd {
+    // A little more than the ranges, which rounding may leave.
+    let x = lobe_min(lobe_max(along, 0.0), 4e9);
+    let y = lobe_min(lobe_max(across, 0.0), 4e9);
+    let cosine = lobe_within(cos_of_turn, 2.0);
+    let sine = lobe_within(sin_of_turn, 2.0);
     let xx = x * x;
     let yy = y * y;
     return LobePsd(

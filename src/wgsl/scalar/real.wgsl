@@ -36,7 +36,12 @@ fn lobe_within(x: f32, limit: f32) -> f32 {
     return lobe_min(lobe_max(lobe_defined(x), -limit), limit);
 }
 
-// WGSL only: 0 in place of NaN. The comparison is written so that compilers that assume numbers keep it.
+// WGSL only: the largest number in place of NaN: as far from a lobe as can be.
+fn lobe_far(x: f32) -> f32 {
+    return select(LOBE_MAX, x, x == x);
+}
+
+// WGSL only: 0 in place of NaN. `x != x` would be folded to false.
 fn lobe_defined(x: f32) -> f32 {
     return select(0.0, x, x == x);
 }

@@ -94,8 +94,12 @@ fn lobe_footprint_length(x: f32, y: f32) -> f32 {
     return scale * sqrt((x / scale) * (x / scale) + (y / scale) * (y / scale));
 }
 
-// Rust: `Footprint::rescaled`. 0 for NaN.
-fn lobe_footprint_rescaled(footprint: LobeFootprint, limit: f32) -> LobeFootprint {
+// Rust: `Footprint::rescaled`. 0 for NaN; sides beyond 1e30 count as shorter.
+fn lobe_footprint_rescaled(sides: LobeFootprint, limit: f32) -> LobeFootprint {
+    var footprint = sides;
+    if !(lobe_footprint_largest_component(sides) <= 1e30) {
+        footprint = lobe_footprint_bounded(sides);
+    }
     let diameter = lobe_footprint_diameter(footprint);
     let most = lobe_max(limit, 0.0);
     if diameter <= most {

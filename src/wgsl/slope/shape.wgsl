@@ -32,6 +32,12 @@ struct LobeHalfSum {
     low: vec3f,
 }
 
+// WGSL only: a direction of NaN sees nothing, as from a mirror's horizon.
+fn lobe_view_of(w: vec3f, mean_area: f32, stretch_squared: f32) -> LobeView {
+    let known = w.x == w.x && w.y == w.y && w.z == w.z;
+    return LobeView(select(0.0, lobe_defined(mean_area), known), select(0.0, stretch_squared, known));
+}
+
 // WGSL only: of `Ndf::brdf`.
 fn lobe_half_sum(wo: vec3f, wi: vec3f) -> LobeHalfSum {
     let x = lobe_two_sum(wo.x, wi.x);
@@ -42,8 +48,8 @@ fn lobe_half_sum(wo: vec3f, wi: vec3f) -> LobeHalfSum {
 
 // WGSL only: of `Ndf::brdf`.
 fn lobe_pair_of(half: vec3f, form: f32, root_det: f32, wo: LobeView, wi: LobeView, lowest: f32) -> LobePair {
-    let length_squared = half.x * half.x + half.y * half.y + half.z * half.z;
-    return LobePair(form, root_det, half.z, length_squared, wo, wi, lowest);
+    let length_squared = lobe_defined(half.x * half.x + half.y * half.y + half.z * half.z);
+    return LobePair(form, root_det, lobe_defined(half.z), length_squared, wo, wi, lowest);
 }
 
 // Rust: `Isotropic`.
@@ -61,9 +67,9 @@ fn lobe_isotropic_root_det(shape: LobeIsotropic) -> f32 {
     return shape.alpha * shape.alpha;
 }
 
-// Rust: `Isotropic::form`. 0 for NaN.
+// Rust: `Isotropic::form`. The largest number for NaN.
 fn lobe_isotropic_form(m: vec3f) -> f32 {
-    return lobe_defined(m.x * m.x + m.y * m.y);
+    return lobe_far(m.x * m.x + m.y * m.y);
 }
 
 // Rust: `Isotropic::stretch_squared`. 0 for NaN.
@@ -73,12 +79,12 @@ fn lobe_isotropic_stretch_squared(shape: LobeIsotropic, w: vec3f) -> f32 {
 
 // WGSL only: its answers at a normal.
 fn lobe_isotropic_normal(shape: LobeIsotropic, m: vec3f) -> LobeNormal {
-    return LobeNormal(lobe_isotropic_form(m), lobe_isotropic_root_det(shape), m.z);
+    return LobeNormal(lobe_isotropic_form(m), lobe_isotropic_root_det(shape), lobe_defined(m.z));
 }
 
 // WGSL only: its answers at a direction.
 fn lobe_isotropic_view(shape: LobeIsotropic, w: vec3f) -> LobeView {
-    return LobeView(w.z, lobe_isotropic_stretch_squared(shape, w));
+    return lobe_view_of(w, w.z, lobe_isotropic_stretch_squared(shape, w));
 }
 
 // WGSL only: its answers at a pair of directions.
@@ -109,11 +115,11 @@ fn lobe_axis_aligned_root_det(shape: LobeAxisAligned) -> f32 {
     return shape.alphas.x * shape.alphas.y;
 }
 
-// Rust: `AxisAligned::form`. 0 for NaN.
+// Rust: `AxisAligned::form`. The largest number for NaN.
 fn lobe_axis_aligned_form(shape: LobeAxisAligned, m: vec3f) -> f32 {
     let x = m.x * shape.inverse_alphas.x;
     let y = m.y * shape.inverse_alphas.y;
-    return lobe_defined((x * x + y * y) * lobe_axis_aligned_root_det(shape));
+    return lobe_far((x * x + y * y) * lobe_axis_aligned_root_det(shape));
 }
 
 // Rust: `AxisAligned::stretch_squared`. 0 for NaN.
@@ -125,12 +131,12 @@ fn lobe_axis_aligned_stretch_squared(shape: LobeAxisAligned, w: vec3f) -> f32 {
 
 // WGSL only: its answers at a normal.
 fn lobe_axis_aligned_normal(shape: LobeAxisAligned, m: vec3f) -> LobeNormal {
-    return LobeNormal(lobe_axis_aligned_form(shape, m), lobe_axis_aligned_root_det(shape), m.z);
+    return LobeNormal(lobe_axis_aligned_form(shape, m), lobe_axis_aligned_root_det(shape), lobe_defined(m.z));
 }
 
 // WGSL only: its answers at a direction.
 fn lobe_axis_aligned_view(shape: LobeAxisAligned, w: vec3f) -> LobeView {
-    return LobeView(w.z, lobe_axis_aligned_stretch_squared(shape, w));
+    return lobe_view_of(w, w.z, lobe_axis_aligned_stretch_squared(shape, w));
 }
 
 // WGSL only: its answers at a pair of directions.
@@ -173,12 +179,12 @@ fn lobe_full_new(roughness: LobeRoughness) -> LobeFull {
     );
 }
 
-// Rust: `Full::form`. 0 for NaN.
+// Rust: `Full::form`. The largest number for NaN.
 fn lobe_full_form(shape: LobeFull, m: vec3f, m_low: vec3f) -> f32 {
     let low = shape.xx * m_low.y - shape.xy * m_low.x;
     let u = lobe_difference_of_products(shape.xx, m.y, shape.xy, m.x) + low;
     let t = u * shape.inverse_xx;
-    return lobe_defined(m.x * m.x * shape.along + t * t * shape.across);
+    return lobe_far(m.x * m.x * shape.along + t * t * shape.across);
 }
 
 // Rust: `Full::whiten`. 0 for NaN.
@@ -199,12 +205,12 @@ fn lobe_full_stretch_squared(shape: LobeFull, w: vec3f) -> f32 {
 
 // WGSL only: its answers at a normal.
 fn lobe_full_normal(shape: LobeFull, m: vec3f) -> LobeNormal {
-    return LobeNormal(lobe_full_form(shape, m, vec3f(0.0, 0.0, 0.0)), shape.root_det, m.z);
+    return LobeNormal(lobe_full_form(shape, m, vec3f(0.0, 0.0, 0.0)), shape.root_det, lobe_defined(m.z));
 }
 
 // WGSL only: its answers at a direction.
 fn lobe_full_view(shape: LobeFull, w: vec3f) -> LobeView {
-    return LobeView(w.z, lobe_full_stretch_squared(shape, w));
+    return lobe_view_of(w, w.z, lobe_full_stretch_squared(shape, w));
 }
 
 // WGSL only: its answers at a pair of directions.

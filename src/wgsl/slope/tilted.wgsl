@@ -37,12 +37,12 @@ fn lobe_tilted_mean_area(shape: LobeTilted, w: vec3f) -> f32 {
 
 // WGSL only: its answers at a normal.
 fn lobe_tilted_normal(shape: LobeTilted, m: vec3f) -> LobeNormal {
-    return LobeNormal(lobe_tilted_form(shape, m, vec3f(0.0, 0.0, 0.0)), shape.shape.root_det, m.z);
+    return LobeNormal(lobe_tilted_form(shape, m, vec3f(0.0, 0.0, 0.0)), shape.shape.root_det, lobe_defined(m.z));
 }
 
 // WGSL only: its answers at a direction.
 fn lobe_tilted_view(shape: LobeTilted, w: vec3f) -> LobeView {
-    return LobeView(lobe_tilted_mean_area(shape, w), lobe_full_stretch_squared(shape.shape, w));
+    return lobe_view_of(w, lobe_tilted_mean_area(shape, w), lobe_full_stretch_squared(shape.shape, w));
 }
 
 // WGSL only: its answers at a pair of directions. Above a tilted plane a half vector may point down.

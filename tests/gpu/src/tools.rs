@@ -25,8 +25,3 @@ pub fn spirv_val(words: &[u32]) -> Option<Result<String, String>> {
     let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
     ask("spirv-val", &["--target-env", "vulkan1.1", "-"], &bytes)
 }
-
-/// The reference compiler of GLSL, for Vulkan; `stage` is `comp`, `frag` or `vert`.
-pub fn glslang(glsl: &str, stage: &str) -> Option<Result<String, String>> {
-    ask("glslangValidator", &["--stdin", "-V", "-S", stage, "-o", "/dev/null"], glsl.as_bytes())
-}

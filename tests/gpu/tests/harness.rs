@@ -1,5 +1,6 @@
 //! What the harness promises: bits survive, exact mode is exact, and `kept` protects shipped code.
 
+use lobe::wgsl::{Item, source};
 use lobe_report::spirv;
 
 use lobe_gpu::{Driver, Gpu, Job, Mode, draw, exact, timing, tools};
@@ -7,12 +8,10 @@ use lobe_gpu::{Driver, Gpu, Job, Mode, draw, exact, timing, tools};
 /// Items of the comparisons with Rust.
 const COUNT: usize = 100_000;
 
-/// The identity but for one NaN: an integer step that no float rule of a compiler reaches across.
-///
-/// A `select` between x and a literal is weaker: lavapipe moves literals that follow into its arms.
-const KEPT: &str = "
-fn kept(x: f32) -> f32 { return bitcast<f32>(min(bitcast<u32>(x), 0xfffffffeu)); }
-";
+/// The mirror's own, under a short name.
+fn kept() -> String {
+    source(&[Item::ScalarReal]) + "\nfn kept(x: f32) -> f32 { return lobe_kept(x); }\n"
+}
 
 /// Floats of both signs and magnitudes from 2^-20 to 2^20: no result leaves the normal range.
 fn random(count: usize) -> Vec<f32> {
@@ -169,7 +168,7 @@ const PROTECTED: [Rewritten; 6] = [
 fn kept_protects_shipped_code() {
     for gpu in Gpu::every() {
         for (body, inputs, outputs, rust) in PROTECTED.into_iter().filter(|it| rounds(gpu, it.0)) {
-            let job = Job { library: KEPT, body, inputs, outputs };
+            let job = Job { library: &kept(), body, inputs, outputs };
             let [shipped, exact] =
                 [Mode::Shipped, Mode::Exact].map(|mode| differing(gpu, mode, job, rust));
             assert_eq!(exact, 0, "{}: {body}", gpu.name());

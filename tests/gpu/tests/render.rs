@@ -1,8 +1,7 @@
 //! The report's scenes drawn by fragment shaders, on every driver that is there: what the report's own renderer
 //! computes, at 1 sample per pixel, from the same numbers.
 //!
-//! In all of these lavapipe and SwiftShader give the footprints to the bit, and every pixel within 5e-6; the tolerances
-//! are for GPUs that fuse a * b + c and miss quotients by an ulp or two.
+//! The tolerances are for GPUs that fuse a * b + c and miss quotients by an ulp or two.
 #![allow(clippy::incompatible_msrv, reason = "tests need a newer compiler, for their oracles")]
 
 #[path = "render/drawn.rs"]

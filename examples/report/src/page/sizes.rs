@@ -31,7 +31,10 @@ fn overheads(sizes: &Sizes) -> Table {
         ],
         class: "",
     });
-    Table { headers: &["Filtering adds", "SPIR-V", "Kaplanyan's Table 3"], rows: rows.collect() }
+    Table {
+        headers: &["Filtering adds", "SPIR-V", "Kaplanyan's nearest, Table 3"],
+        rows: rows.collect(),
+    }
 }
 
 /// As text.

@@ -110,8 +110,10 @@ super::twins! {
     "projected_alpha" (Alpha, Size) "lobe_projected_alpha($0, $1)" => |x| {
         projected_alpha(x.f::<R>(), x.f()).expect("in range")
     };
-    "spherical_gaussian_new" (Position, Sharpness) "lobe_spherical_gaussian_new($0, $1).direction" => |x| {
-        light::<R>(x).direction()
+    "spherical_gaussian_new" (Position, Sharpness)
+        "lobe_spherical_gaussian_new($0, $1).direction * lobe_spherical_gaussian_new($0, $1).sharpness" => |x| {
+        let light = light::<R>(x);
+        light.direction().map(|x| x * light.sharpness())
     };
     "spherical_gaussian_from_angular_radius" (Position, Size)
         "lobe_spherical_gaussian_from_angular_radius($0, $1 + 1e-6).sharpness" => |x| {
@@ -205,10 +207,11 @@ super::twins! {
         let fresnel = Fresnel::conductor(x.vec::<R, 3>(), x.vec()).expect("in range");
         fresnel.reflectance(x.f())
     };
-    "bake" (Lobe, Kernel, Direction) "lobe_tilted_mean_area(lobe_bake($0, $1), $2)" => |x| {
+    "bake" (Lobe, Kernel, Direction) "lobe_tilted_form(lobe_bake($0, $1), $2, $2)" => |x| {
         let material = Material::ggx(x.lobe::<R>(), Fresnel::white());
         let shading = material.bake(&x.kernel());
-        shading.ndf().shape().mean_area(x.vec())
+        let m = x.vec();
+        shading.ndf().shape().form(m, m)
     };
     "half_cosine" (Pair) "lobe_half_cosine($0)" => |x| {
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());

@@ -16,7 +16,7 @@ pub use input::Input;
 pub use value::Reader;
 
 /// What expressions need beside the mirror.
-const HELPERS: &str = "
+const PUT_TOGETHER: &str = "
 fn put_together(eigen: LobeEigen) -> vec3f {
     let c = eigen.axis.x;
     let s = eigen.axis.y;
@@ -24,6 +24,12 @@ fn put_together(eigen: LobeEigen) -> vec3f {
         eigen.major * c * c + eigen.minor * s * s, (eigen.major - eigen.minor) * c * s,
         eigen.major * s * s + eigen.minor * c * c
     );
+}
+";
+/// Pairs by rows, as Rust has them.
+const FOUR: &str = "
+fn four(v: vec4f) -> mat2x2f {
+    return mat2x2f(v.x, v.z, v.y, v.w);
 }
 ";
 
@@ -69,8 +75,9 @@ impl Twin {
 
     /// What WGSL computes it with: the functions that it needs and no others of the mirror.
     pub fn library(&self) -> String {
-        let helpers = if self.expression.contains("put_together") { HELPERS } else { "" };
-        needed(&self.body()) + helpers
+        let helpers = [("put_together(", PUT_TOGETHER), ("four(", FOUR)];
+        let helpers = helpers.iter().filter(|(call, _)| self.expression.contains(call));
+        helpers.fold(needed(&self.body()), |text, (_, helper)| text + helper)
     }
 
     /// The WGSL statements of one evaluation.

@@ -1,6 +1,6 @@
 //! Twins of `src/scalar`.
 
-use lobe::{Eigen, Psd, Real};
+use lobe::{Eigen, Psd, Real, Roughness};
 
 fn truth<R: Real>(holds: bool) -> R {
     if holds { R::ONE } else { R::ZERO }
@@ -21,6 +21,9 @@ super::twins! {
     "psd_nearest" (Vector, Size) "lobe_psd_nearest($0.x, $0.y, $1)" => |x| {
         let [xx, xy] = x.vec::<R, 2>();
         Psd::nearest(xx, xy, x.f())
+    };
+    "psd_from_axes" (Alpha) "lobe_psd_from_axes($0, $0, 1.0, 0.0)" => |x| {
+        Roughness::from_alpha(x.f::<R>()).expect("in range").matrix()
     };
     "psd_outer_sum" (Footprint) "lobe_psd_outer_sum($0.u, $0.v)" => |x| {
         Psd::outer_sum(x.vec::<R, 2>(), x.vec())

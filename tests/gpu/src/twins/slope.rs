@@ -138,7 +138,7 @@ super::twins! {
         let roughness = x.roughness::<R>();
         roughness.chermain_matrix(x.f())
     };
-    "isotropic_new" (Alpha) "lobe_isotropic_root_det(lobe_isotropic_new($0))" => |x| isotropic::<R>(x).root_det();
+    "isotropic_new" (Alpha) "lobe_isotropic_new($0).alpha" => |x| { let a = x.f::<R>(); Isotropic::new(a).map(|_| a).expect("in range") };
     "isotropic_root_det" (Alpha) "lobe_isotropic_root_det(lobe_isotropic_new($0))" => |x| isotropic::<R>(x).root_det();
     "isotropic_form" (Direction) "lobe_isotropic_form($0)" => |x| {
         let shape = Isotropic::new(R::ONE).expect("in range");
@@ -149,8 +149,9 @@ super::twins! {
         let shape = isotropic::<R>(x);
         shape.stretch_squared(x.vec())
     };
-    "axis_aligned_new" (Alphas) "lobe_axis_aligned_root_det(lobe_axis_aligned_new($0.x, $0.y))" => |x| {
-        axis_aligned::<R>(x).root_det()
+    "axis_aligned_new" (Alphas, Slope) "lobe_axis_aligned_new($0.x, $0.y).inverse_alphas * lobe_footprint_from_slopes($1, $1).u" => |x| {
+        let shape = axis_aligned::<R>(x);
+        shape.whiten(x.vec(), [R::ZERO; 2])
     };
     "axis_aligned_root_det" (Alphas) "lobe_axis_aligned_root_det(lobe_axis_aligned_new($0.x, $0.y))" => |x| {
         axis_aligned::<R>(x).root_det()
@@ -164,7 +165,13 @@ super::twins! {
         let shape = axis_aligned::<R>(x);
         shape.stretch_squared(x.vec())
     };
-    "full_new" (Roughness) "lobe_full_new($0).root_det" => |x| Full::new(x.roughness::<R>()).root_det();
+    "full_new" (Roughness, Direction)
+        "vec3f(lobe_full_new($0).root_det, lobe_full_form(lobe_full_new($0), $1, $1), lobe_full_stretch_squared(lobe_full_new($0), $1))"
+        => |x| {
+        let shape = Full::new(x.roughness::<R>());
+        let m = x.vec();
+        [shape.root_det(), shape.form(m, m), shape.stretch_squared(m)]
+    };
     "full_form" (Roughness, Direction) "lobe_full_form(lobe_full_new($0), $1, vec3f(0.0, 0.0, 0.0))" => |x| {
         let shape = Full::new(x.roughness::<R>());
         shape.form(x.vec(), [R::ZERO; 3])
@@ -177,17 +184,19 @@ super::twins! {
         let shape = Full::new(x.roughness::<R>());
         shape.stretch_squared(x.vec())
     };
-    "tilted_new" (Lobe, Direction) "lobe_tilted_mean_area(lobe_shape($0), $1)" => |x| {
-        let shape = tilted::<R>(x);
+    "tilted_new" (Roughness, Mean, Direction) "lobe_tilted_mean_area(lobe_tilted_new(lobe_full_new($0), $1), $2)" => |x| {
+        let full = Full::new(x.roughness::<R>());
+        let shape = Tilted::new(full, x.vec::<R, 2>()).expect("in range");
         shape.mean_area(x.vec())
     };
     "tilted_form" (Lobe, Direction) "lobe_tilted_form(lobe_shape($0), $1, vec3f(0.0, 0.0, 0.0))" => |x| {
         let shape = tilted::<R>(x);
         shape.form(x.vec(), [R::ZERO; 3])
     };
-    "tilted_offset" (Lobe, Slope) "lobe_tilted_offset(lobe_shape($0), $1).xy" => |x| {
+    "tilted_offset" (Lobe, Slope) "four(lobe_tilted_offset(lobe_shape($0), $1))" => |x| {
         let shape = tilted::<R>(x);
-        shape.offset(x.vec()).0
+        let (high, low) = shape.offset(x.vec());
+        [high, low]
     };
     "tilted_mean_area" (Lobe, Direction) "lobe_tilted_mean_area(lobe_shape($0), $1)" => |x| {
         let shape = tilted::<R>(x);
@@ -195,9 +204,10 @@ super::twins! {
     };
     "new" (Lobe) "$0" => |x| x.lobe::<R>();
     "centred" (Roughness) "lobe_centred($0)" => |x| Lobe::centred(x.roughness::<R>());
-    "shape" (Lobe, Direction) "lobe_tilted_mean_area(lobe_shape($0), $1)" => |x| {
+    "shape" (Lobe, Direction) "lobe_tilted_form(lobe_shape($0), $1, $1)" => |x| {
         let shape = tilted::<R>(x);
-        shape.mean_area(x.vec())
+        let m = x.vec();
+        shape.form(m, m)
     };
     "slope_moments_new" (Mean, Psd) "lobe_slope_moments_new($0, $1)" => |x| moments::<R>(x);
     "slope_moments_of_slope" (Slope) "lobe_slope_moments_of_slope($0)" => |x| {

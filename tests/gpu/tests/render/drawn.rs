@@ -1,7 +1,6 @@
 //! The report's scenes in fragment shaders: their numbers as buffers, and what is drawn of them.
 
-use lobe::wgsl::{Item, source};
-use lobe_gpu::{Gpu, draw};
+use lobe_gpu::{Gpu, draw, needed};
 use lobe_report::shot::Shot;
 
 /// A picture of four floats a pixel, of the shot's size.
@@ -93,7 +92,7 @@ impl Stage<'_> {
         let buffers = [pixels(self.shot), traces(self.shot)];
         let buffers = buffers.each_ref().map(Vec::as_slice);
         let [columns, rows] = [width, height].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
-        let whole = draw(self.gpu, &library(&fragment), &fragment, &buffers, columns, rows)?;
+        let whole = draw(self.gpu, &needed(&fragment), &fragment, &buffers, columns, rows)?;
         let rows = whole.chunks(width).take(self.shot.height);
         Ok(rows.flat_map(|row| &row[..self.shot.width]).copied().collect())
     }
@@ -131,15 +130,6 @@ impl Spread {
 /// The sides of a footprint as it was drawn.
 pub(crate) fn sides([a, b, c, d]: [f32; 4]) -> [[f32; 2]; 2] {
     [[a, b], [c, d]]
-}
-
-/// All functions and constants that a text names.
-fn library(text: &str) -> String {
-    let named = |item: &&Item| {
-        let name = item.name();
-        text.contains(&format!("lobe_{name}(")) || text.contains(&format!("LOBE_{name}"))
-    };
-    source(&Item::ALL.iter().filter(named).copied().collect::<Vec<_>>())
 }
 
 /// Twelve floats a pixel.
