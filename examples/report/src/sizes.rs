@@ -123,13 +123,14 @@ mod tests {
             |name: &str| sizes.presets.iter().find(|size| size.name == name).expect("a preset");
         let (plain, exact) = (of("plain"), of("forward_exact"));
         assert!(plain.bytes * 5 < exact.bytes && plain.inlined * 5 < exact.inlined);
-        // Kaplanyan's order: Beckmann and the proxy are cheap, the exact GGX is not.
+        // Kaplanyan's order, but for our exact sums, which make a kernel as long as his rectangle: widening is cheap, the
+        // exact GGX is not.
         let added = |name: &str| {
             let found = sizes.overheads.iter().find(|overhead| overhead.name == name);
             found.expect("a case").instructions
         };
-        assert!(added("GGX, forward, variance added") < added("GGX, forward, his rectangle"));
-        assert!(added("GGX, forward, his rectangle") < added("GGX, forward, exact"));
+        assert!(3 * added("GGX, forward, variance added") < added("GGX, forward, exact"));
+        assert!(3 * added("GGX, forward, his rectangle") < added("GGX, forward, exact"));
         assert!(added("Beckmann or GGX, deferred") < added("GGX, forward, variance added"));
     }
 }
