@@ -77,32 +77,27 @@ find_lavapipe() {
     return 1
 }
 
-# GPU tests that skip themselves prove nothing, so a driver is installed, or this fails.
-install_lavapipe() {
-    local packages=(libvulkan1 mesa-vulkan-drivers) optional=() root=() try
-    local advice="the GPU tests need a Vulkan driver: install ${packages[*]} (Debian, Ubuntu), or \
-elsewhere the Vulkan loader and Mesa's lavapipe"
-    command -v apt-get >/dev/null || fail "$advice"
+# install_packages PACKAGE...: through apt-get, as root or by sudo without a password; fails where it cannot.
+install_packages() {
+    local root=() try
+    command -v apt-get >/dev/null || return 1
     if ((EUID != 0)); then
-        sudo -n true 2>/dev/null || fail "$advice; neither root nor sudo without password here"
+        sudo -n true 2>/dev/null || return 1
         root=(sudo -n)
     fi
-    command -v spirv-val >/dev/null || optional+=(spirv-tools)
-    command -v glslangValidator >/dev/null || optional+=(glslang-tools)
     local apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq
         -o DPkg::Lock::Timeout=120)
     for try in 1 2 3; do
-        # The validators must not stand in the driver's way.
-        if ((try == 3)); then optional=(); fi
         # Lists may be missing or old; one broken source among them need not matter.
         "${apt[@]}" update || true
-        if "${apt[@]}" install -y --no-install-recommends "${packages[@]}" "${optional[@]}" >"$log" &&
-            find_lavapipe; then return; fi
+        if "${apt[@]}" install -y --no-install-recommends "$@" >"$log"; then return; fi
         cat "$log"
-        echo "try $try of 3 failed" >&2
+        echo "$*: try $try of 3 failed" >&2
     done
-    fail "$advice; apt-get failed three times"
+    return 1
 }
+
+real_gpu() { compgen -G "/dev/nvidia0" >/dev/null || compgen -G "/dev/dri/renderD*" >/dev/null; }
 
 # Lavapipe first, then Chromium's SwiftShader as a second opinion, then real GPUs if there are any.
 vulkan_drivers() {
@@ -111,7 +106,7 @@ vulkan_drivers() {
         /opt/google/chrome/vk_swiftshader_icd.json; do
         if [[ -e $icd && -e ${icd%/*}/libvk_swiftshader.so ]]; then drivers+=:$icd && break; fi
     done
-    if compgen -G "/dev/nvidia0" >/dev/null || compgen -G "/dev/dri/renderD*" >/dev/null; then
+    if real_gpu; then
         for icd in {/usr/share,/etc}/vulkan/icd.d/*.json; do
             if [[ -e $icd && $icd != *lvp_icd* && $icd != *.i686.json ]]; then drivers+=:$icd; fi
         done
@@ -121,7 +116,10 @@ vulkan_drivers() {
 
 step "Vulkan driver"
 if [[ -z ${VK_DRIVER_FILES:-} ]]; then
-    find_lavapipe || install_lavapipe
+    # GPU tests that skip themselves prove nothing, so a driver is installed, or this fails.
+    find_lavapipe || { install_packages libvulkan1 mesa-vulkan-drivers && find_lavapipe; } ||
+        fail "the GPU tests need a Vulkan driver: as root, or with sudo, install libvulkan1 and mesa-vulkan-drivers \
+(Debian, Ubuntu), or elsewhere the Vulkan loader and Mesa's lavapipe"
     VK_DRIVER_FILES=$(vulkan_drivers)
 fi
 # The second name is for loaders before 1.3.207; the last one keeps a layer of Mesa's from complaining
@@ -129,9 +127,11 @@ fi
 export VK_DRIVER_FILES VK_ICD_FILENAMES=$VK_DRIVER_FILES NODEVICE_SELECT=1
 echo "   $VK_DRIVER_FILES"
 [[ $VK_DRIVER_FILES == *swiftshader* ]] || skip "a second driver: Chromium's SwiftShader is not installed"
-compgen -G "/dev/nvidia0" >/dev/null || compgen -G "/dev/dri/renderD*" >/dev/null || skip "real GPUs: there is none"
-for tool in spirv-val glslangValidator; do
-    command -v "$tool" >/dev/null || skip "checks by $tool, which is not installed"
+real_gpu || skip "real GPUs: there is none"
+for checks in "spirv-val spirv-tools" "glslangValidator glslang-tools"; do
+    read -r tool package <<<"$checks"
+    command -v "$tool" >/dev/null || install_packages "$package" ||
+        skip "checks by $tool: $package could not be installed"
 done
 
 step "Format"

@@ -17,9 +17,10 @@ use naga::back::wgsl::WriterFlags;
 use std::collections::BTreeSet;
 use translate::{Language, translate};
 
-/// Builtins whose accuracy, NaNs or order of operations drivers choose. The mirror has its own of those that it needs; `sqrt` and quotients are the driver's.
-const LOOSE: &str = "atan atan2 exp exp2 log log2 pow sin cos tan sinh cosh tanh asin acos asinh acosh atanh mix fma inverseSqrt \
-    normalize length distance smoothstep sign min max clamp saturate step dot cross reflect refract faceForward \
+/// Builtins whose accuracy, NaNs or order of operations drivers choose. The mirror has its own of those that it needs;
+/// `sqrt` and quotients are the driver's.
+const LOOSE: &str = "atan atan2 exp exp2 log log2 pow sin cos tan sinh cosh tanh asin acos asinh acosh atanh mix \
+    fma inverseSqrt normalize length distance smoothstep sign min max clamp saturate step dot cross reflect refract faceForward \
     determinant degrees radians ldexp frexp round fract modf";
 
 /// Builtins of fragment shaders.

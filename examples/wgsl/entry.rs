@@ -37,7 +37,7 @@ pub(crate) fn declared(item: Item) -> Vec<String> {
     {
         return vec![constant];
     }
-    let file = super::link::file(item).expect("an item is a function, a constant or a file");
+    let file = item.module().expect("an item is a function, a constant or a file");
     names(file.body()).filter(|name| !name.starts_with("Lobe")).map(str::to_owned).collect()
 }
 

@@ -29,11 +29,6 @@ impl Linker {
     }
 }
 
-/// The file that an item stands for.
-pub(crate) fn file(item: Item) -> Option<Module> {
-    Module::ALL.iter().copied().find(|module| module.path().replace('/', "_") == item.name())
-}
-
 /// The modules of these items and all that they import, in the order in which a composer takes them.
 pub(crate) fn needed(items: &[Item]) -> Vec<Module> {
     let wanted: BTreeSet<String> = items.iter().flat_map(|item| declared(*item)).collect();

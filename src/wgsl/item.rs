@@ -59,18 +59,29 @@ impl Item {
         (!twin.is_empty()).then_some(twin)
     }
 
+    /// The module that it stands for, if it is a file.
+    ///
+    /// ```
+    /// use lobe::wgsl::Item;
+    /// assert_eq!(Item::NdfGgx.module().map(|module| module.path()), Some("ndf/ggx"));
+    /// assert_eq!(Item::GgxD.module(), None);
+    /// ```
+    pub fn module(self) -> Option<Module> {
+        let (kind, name, _) = self.entry();
+        let named = |module: &&Module| module.path().replace('/', "_") == name;
+        Module::ALL.iter().filter(|_| kind == Kind::File).find(named).copied()
+    }
+
     /// The declarations that it asks for by name: one, or all of a file.
     pub(super) fn declared(self) -> Vec<String> {
         let (kind, name, _) = self.entry();
         match kind {
             Kind::Function => alloc::vec![format!("lobe_{name}")],
             Kind::Constant => alloc::vec![format!("LOBE_{name}")],
-            Kind::File => Module::ALL
-                .iter()
-                .filter(|module| module.path().replace('/', "_") == name)
-                .flat_map(|module| declarations(module.body()))
-                .map(|declaration| declaration.name.to_string())
-                .collect(),
+            Kind::File => {
+                let all = self.module().into_iter().flat_map(|module| declarations(module.body()));
+                all.map(|declaration| declaration.name.to_string()).collect()
+            }
         }
     }
 }

@@ -133,6 +133,11 @@ impl Shot {
         [self.width, self.height].map(|side| side.next_multiple_of(2))
     }
 
+    /// What a pixel of [`Shot::seen`] sees, the one beside it in its quad, and the one below or above it.
+    pub fn quad(&self, x: usize, y: usize) -> [&Seen; 3] {
+        [(x, y), (x ^ 1, y), (x, y ^ 1)].map(|(x, y)| &self.seen[y * self.quad_size()[0] + x])
+    }
+
     /// Errors of a picture of the same scene against the reference of one of the methods.
     pub fn errors(&self, picture: &[f32], of: &Shaded) -> Errors {
         Errors::of(picture, &of.reference, &self.judged, self.scale)

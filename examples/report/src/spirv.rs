@@ -38,6 +38,15 @@ pub fn validated(wgsl: &str) -> Result<(naga::Module, ModuleInfo), String> {
 /// What [`validated`] and naga's writer refuse.
 pub fn assembled(wgsl: &str) -> Result<Vec<u32>, String> {
     let (module, info) = validated(wgsl)?;
+    written(&module, &info)
+}
+
+/// A validated module as SPIR-V 1.3, like [`assembled`].
+///
+/// # Errors
+///
+/// What naga's writer refuses.
+pub fn written(module: &naga::Module, info: &ModuleInfo) -> Result<Vec<u32>, String> {
     let options = spv::Options {
         lang_version: (1, 3),
         flags: spv::WriterFlags::DEBUG,
@@ -51,7 +60,7 @@ pub fn assembled(wgsl: &str) -> Result<Vec<u32>, String> {
         force_loop_bounding: false,
         ..Default::default()
     };
-    spv::write_vec(&module, &info, &options, None).map_err(|error| error.to_string())
+    spv::write_vec(module, info, &options, None).map_err(|error| error.to_string())
 }
 
 /// Index, opcode and operands of each instruction.

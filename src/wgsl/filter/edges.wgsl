@@ -17,7 +17,9 @@ const LOBE_EDGES_DEEP: f32 = 0.010000000000000002;
 const LOBE_EDGES_TURN: f32 = 0.15915494309189535;
 
 // Rust: `around_the_lobe`; negative in place of None.
-fn lobe_edges_around_the_lobe(w: LobeWhitened, centre_squared: f32, side_squared: f32, exact_area: f32) -> f32 {
+fn lobe_edges_around_the_lobe(
+    w: LobeWhitened, centre_squared: f32, side_squared: f32, footprint: LobeFootprint, root_det: f32
+) -> f32 {
     let area = w.u.x * w.v.y - w.u.y * w.v.x;
     let q = 1.0 + centre_squared;
     let near = centre_squared <= LOBE_EDGES_CLOSE && side_squared <= LOBE_EDGES_SHORT;
@@ -52,8 +54,15 @@ fn lobe_edges_around_the_lobe(w: LobeWhitened, centre_squared: f32, side_squared
         }
     }
     let sum = (terms.x + terms.y) + (terms.z + terms.w);
-    let mean = lobe_max(sum / select(turn * exact_area, area, near) * LOBE_EDGES_TURN, 0.0);
-    return select(-1.0, mean, inward);
+    if !inward {
+        return -1.0;
+    }
+    // Whitened corners of a far footprint have lost its area.
+    var over = area;
+    if !near {
+        over = turn * (lobe_footprint_area(footprint) / root_det);
+    }
+    return lobe_max(sum / over * LOBE_EDGES_TURN, 0.0);
 }
 
 // WGSL only: Rust has it as a closure.

@@ -41,8 +41,9 @@ fn lobe_spherical_gaussian_disk_kernel(light: LobeSphericalGaussian, wo: vec3f) 
     let squared = lobe_dot(g, g);
     let inverse = 1.0 / sqrt(lobe_max(squared, LOBE_MIN_POSITIVE));
     let h = vec3f(g.x * inverse, g.y * inverse, g.z * inverse);
-    let s = lobe_spherical_gaussian_tangent(light);
-    let t = lobe_spherical_gaussian_bitangent(light);
+    let tangents = lobe_spherical_gaussian_tangents(light);
+    let s = tangents[0];
+    let t = tangents[1];
     let along_s = lobe_dot(h, s);
     let along_t = lobe_dot(h, t);
     let u = vec2f((s.x - h.x * along_s) * inverse, (s.y - h.y * along_s) * inverse);
@@ -56,10 +57,9 @@ fn lobe_spherical_gaussian_disk_kernel(light: LobeSphericalGaussian, wo: vec3f) 
 // Rust: `SphericalGaussian::footprint`.
 fn lobe_spherical_gaussian_footprint(light: LobeSphericalGaussian, wo: vec3f) -> LobeFootprint {
     let zero = vec2f(0.0, 0.0);
+    let tangents = lobe_spherical_gaussian_tangents(light);
     return lobe_footprint_from_motion(
-        lobe_spherical_gaussian_sum(light, wo),
-        LobeMotion(lobe_spherical_gaussian_tangent(light), zero, 0.0),
-        LobeMotion(lobe_spherical_gaussian_bitangent(light), zero, 0.0)
+        lobe_spherical_gaussian_sum(light, wo), LobeMotion(tangents[0], zero, 0.0), LobeMotion(tangents[1], zero, 0.0)
     );
 }
 
@@ -74,19 +74,13 @@ fn lobe_spherical_gaussian_spread(light: LobeSphericalGaussian) -> f32 {
     return lobe_min(1.0 / light.sharpness, LOBE_LARGEST);
 }
 
-// Rust: `SphericalGaussian::tangents`, the first.
-fn lobe_spherical_gaussian_tangent(light: LobeSphericalGaussian) -> vec3f {
+// Rust: `SphericalGaussian::tangents`: the two are the columns.
+fn lobe_spherical_gaussian_tangents(light: LobeSphericalGaussian) -> mat2x3f {
     let w = light.direction;
     let sign = select(-1.0, 1.0, w.z >= 0.0);
     let a = -1.0 / (sign + w.z);
     let b = w.x * w.y * a;
-    return vec3f(1.0 + sign * w.x * w.x * a, sign * b, -(sign * w.x));
-}
-
-// Rust: `SphericalGaussian::tangents`, the second.
-fn lobe_spherical_gaussian_bitangent(light: LobeSphericalGaussian) -> vec3f {
-    let w = light.direction;
-    let sign = select(-1.0, 1.0, w.z >= 0.0);
-    let a = -1.0 / (sign + w.z);
-    return vec3f(w.x * w.y * a, sign + w.y * w.y * a, -w.y);
+    return mat2x3f(
+        vec3f(1.0 + sign * w.x * w.x * a, sign * b, -(sign * w.x)), vec3f(b, sign + w.y * w.y * a, -w.y)
+    );
 }

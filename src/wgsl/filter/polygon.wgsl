@@ -63,35 +63,39 @@ fn lobe_polygon_mean_of(shape: LobeFull, w: LobeWhitened, offset: vec4f, footpri
     if !(shape.root_det > 0.0) {
         return 0.0;
     }
+    return lobe_polygon_unit_mean(shape, w, offset, footprint) / shape.root_det;
+}
+
+// WGSL only: of `Ndf::mean_of`, the mean of the unit lobe.
+fn lobe_polygon_unit_mean(shape: LobeFull, w: LobeWhitened, offset: vec4f, footprint: LobeFootprint) -> f32 {
     let centre_squared = lobe_strip_dot(w.centre, w.centre);
     let side_squared = lobe_max(lobe_strip_dot(w.u, w.u), lobe_strip_dot(w.v, w.v));
     let nearness = 1.0 + 0.4444444444444444 * centre_squared;
     if side_squared <= LOBE_POLYGON_COARSE * nearness {
-        return lobe_polygon_tensor_of_two(w) / shape.root_det;
+        return lobe_polygon_tensor_of_two(w);
     }
     if side_squared <= LOBE_POLYGON_FINE * nearness {
-        return lobe_polygon_tensor_of_four(w) / shape.root_det;
+        return lobe_polygon_tensor_of_four(w);
     }
-    let exact_area = lobe_footprint_area(footprint) / shape.root_det;
-    let around = lobe_edges_around_the_lobe(w, centre_squared, side_squared, exact_area);
+    let around = lobe_edges_around_the_lobe(w, centre_squared, side_squared, footprint, shape.root_det);
     if around >= 0.0 {
-        return around / shape.root_det;
+        return around;
     }
-    let strip = lobe_strip_new(w);
-    let narrow = lobe_strip_is_narrow(strip);
+    var strip = lobe_strip_new(w);
     let keeps_digits = lobe_strip_keeps_digits(strip);
-    var sharpened = strip;
+    var narrow = lobe_strip_is_narrow(strip);
     if narrow && !keeps_digits {
-        sharpened = lobe_strip_sharpened(strip, w, shape, offset.xy, offset.zw, footprint);
+        // What looks narrow from afar may not be.
+        strip = lobe_strip_sharpened(strip, w, shape, offset.xy, offset.zw, footprint);
+        narrow = lobe_strip_is_narrow(strip);
     }
-    if narrow && lobe_strip_is_narrow(sharpened) {
-        return lobe_strip_mean(sharpened) / shape.root_det;
+    if narrow {
+        return lobe_strip_mean(strip);
     }
     if keeps_digits {
-        return lobe_polygon_general_mean(lobe_frame_plain(w, shape)) / shape.root_det;
+        return lobe_polygon_general_mean(lobe_frame_plain(w, shape));
     }
-    let exact = lobe_frame_new(true, w, shape, offset.xy, offset.zw, footprint);
-    return lobe_polygon_general_mean(exact) / shape.root_det;
+    return lobe_polygon_general_mean(lobe_frame_new(true, w, shape, offset.xy, offset.zw, footprint));
 }
 
 // Rust: `Ndf::offset_of`: high parts, then low ones.

@@ -28,41 +28,38 @@ fn lobe_ggx_d(at: LobeNormal) -> f32 {
 
 // Rust: `Ndf::brdf`, of a shape's answers at a pair of directions.
 fn lobe_ggx_brdf(at: LobePair) -> f32 {
-    let weight = 0.5 * LOBE_INVERSE_PI / lobe_ggx_visibility_terms(at.wo, at.wi);
+    let weight = lobe_brdf_weight(lobe_ggx_visibility_terms(at.wo, at.wi));
     return lobe_brdf_at(lobe_ggx_density(at.form, at.root_det, at.z, at.length_squared, weight), at);
 }
 
 // Rust: `Ndf::projected_area`, of a shape's answers at a direction. 0 for NaN.
 fn lobe_ggx_projected_area(at: LobeView) -> f32 {
-    let excess = lobe_ggx_excess(abs(at.mean_area), at.stretch_squared);
-    return lobe_defined(lobe_max(at.mean_area, 0.0) + excess);
+    return lobe_projected_area_of(at.mean_area, lobe_ggx_excess(abs(at.mean_area), at.stretch_squared));
 }
 
 // Rust: `Ndf::lambda`. The largest number from below, and for NaN.
 fn lobe_ggx_lambda(at: LobeView) -> f32 {
-    let lambda = lobe_ggx_excess(abs(at.mean_area), at.stretch_squared) / at.mean_area;
-    return select(LOBE_MAX, lobe_min(lambda, LOBE_MAX), at.mean_area > 0.0);
+    return lobe_lambda_of(at.mean_area, lobe_ggx_excess(abs(at.mean_area), at.stretch_squared));
 }
 
 // Rust: `Ndf::g1`. 0 for NaN.
 fn lobe_ggx_masking(at: LobeView) -> f32 {
     let c = lobe_max(at.mean_area, 0.0);
-    return lobe_max(c / (c + lobe_ggx_excess(c, at.stretch_squared)), 0.0);
+    return lobe_masking_of(c, lobe_ggx_excess(c, at.stretch_squared));
 }
 
 // Rust: `Ndf::g2`. 0 for NaN.
 fn lobe_ggx_masking_shadowing(wo: LobeView, wi: LobeView) -> f32 {
-    return lobe_masking_shadowing_of(wo.mean_area, wi.mean_area, lobe_ggx_visibility_terms(wo, wi));
+    return lobe_masking_shadowing_of(wo, wi, lobe_ggx_visibility_terms(wo, wi));
 }
 
 // Rust: `Ndf::visibility`. 0 for NaN.
 fn lobe_ggx_visibility(wo: LobeView, wi: LobeView) -> f32 {
-    return lobe_visibility_of(wo.mean_area, wi.mean_area, lobe_ggx_visibility_terms(wo, wi));
+    return lobe_visibility_of(wo, wi, lobe_ggx_visibility_terms(wo, wi));
 }
 
 // Rust: `Ndf::visibility_terms`: the sum.
 fn lobe_ggx_visibility_terms(wo: LobeView, wi: LobeView) -> f32 {
-    let area_o = lobe_ggx_even_area(wo.mean_area, wo.stretch_squared);
-    let area_i = lobe_ggx_even_area(wi.mean_area, wi.stretch_squared);
-    return area_o * wi.mean_area + area_i * wo.mean_area;
+    let even_o = lobe_ggx_even_area(wo.mean_area, wo.stretch_squared);
+    return lobe_visibility_terms(wo, even_o, wi, lobe_ggx_even_area(wi.mean_area, wi.stretch_squared));
 }

@@ -73,8 +73,8 @@ fn lobe_psd_from_deviations(x: f32, y: f32, rho: f32) -> LobePsd {
 
 // Rust: `Psd::outer_sum`. Components beyond 2e9 count as that; 0 for NaN.
 fn lobe_psd_outer_sum(u: vec2f, v: vec2f) -> LobePsd {
-    let a = vec2f(lobe_within(u.x, 2e9), lobe_within(u.y, 2e9));
-    let b = vec2f(lobe_within(v.x, 2e9), lobe_within(v.y, 2e9));
+    let a = lobe_both_within(u, 2e9);
+    let b = lobe_both_within(v, 2e9);
     return LobePsd(
         a.x * a.x + b.x * b.x,
         lobe_sum_of_products(a.x, a.y, b.x, b.y),

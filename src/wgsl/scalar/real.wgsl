@@ -36,6 +36,11 @@ fn lobe_within(x: f32, limit: f32) -> f32 {
     return lobe_min(lobe_max(lobe_defined(x), -limit), limit);
 }
 
+// WGSL only: the same for two numbers.
+fn lobe_both_within(v: vec2f, limit: f32) -> vec2f {
+    return vec2f(lobe_within(v.x, limit), lobe_within(v.y, limit));
+}
+
 // WGSL only: the largest number in place of NaN: as far from a lobe as can be.
 fn lobe_far(x: f32) -> f32 {
     return select(LOBE_MAX, x, x == x);

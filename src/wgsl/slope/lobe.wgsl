@@ -8,7 +8,7 @@ struct Lobe {
 
 // Rust: `Lobe::new`. Means beyond 1e9 count as that, NaN as 0.
 fn lobe_new(mean: vec2f, roughness: LobeRoughness) -> Lobe {
-    return Lobe(vec2f(lobe_within(mean.x, LOBE_LARGEST), lobe_within(mean.y, LOBE_LARGEST)), roughness);
+    return Lobe(lobe_both_within(mean, LOBE_LARGEST), roughness);
 }
 
 // Rust: `Lobe::centred`.

@@ -8,7 +8,7 @@ struct LobeSlopeMoments {
 
 // Rust: `SlopeMoments::new`. Means beyond 1e9 count as that, NaN as 0.
 fn lobe_slope_moments_new(mean: vec2f, covariance: LobePsd) -> LobeSlopeMoments {
-    return LobeSlopeMoments(vec2f(lobe_within(mean.x, LOBE_LARGEST), lobe_within(mean.y, LOBE_LARGEST)), covariance);
+    return LobeSlopeMoments(lobe_both_within(mean, LOBE_LARGEST), covariance);
 }
 
 // Rust: `SlopeMoments::of_slope`.

@@ -8,7 +8,7 @@ struct LobeTilted {
 
 // Rust: `Tilted::new`. Means beyond 1e9 count as that, NaN as 0.
 fn lobe_tilted_new(shape: LobeFull, mean: vec2f) -> LobeTilted {
-    return LobeTilted(shape, vec2f(lobe_within(mean.x, LOBE_LARGEST), lobe_within(mean.y, LOBE_LARGEST)));
+    return LobeTilted(shape, lobe_both_within(mean, LOBE_LARGEST));
 }
 
 // Rust: `Tilted::form`.

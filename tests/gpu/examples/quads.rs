@@ -16,11 +16,19 @@ use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use clap::Parser;
 use drawn::{DIFFERENCE, MATRIX, QUAD, SHADED, Spread, Stage, sides};
 use lobe_gpu::Gpu;
 use lobe_report::shot::{Shot, non_overlap};
 
-const USAGE: &str = "usage: quads [--out FOLDER]    (default: target/gpu)";
+/// Draw two scenes of the report on the GPU, and how far footprints by quads are from Kaplanyan's matrix.
+#[derive(Parser)]
+struct Options {
+    /// The folder to write pictures into.
+    #[arg(long, value_name = "FOLDER", default_value = "target/gpu")]
+    out: PathBuf,
+}
+
 /// Roughness of all scenes.
 const ALPHA: f64 = 0.01;
 /// White columns between pictures.
@@ -43,15 +51,10 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), String> {
-    let Some(folder) = options(std::env::args().skip(1))? else {
-        print(USAGE);
-        return Ok(());
-    };
+    let Options { out: folder } = Options::parse();
     let gpu = Gpu::every()
         .first()
         .ok_or("no Vulkan driver found: lavapipe's package is mesa-vulkan-drivers")?;
-    let refused = |error| format!("--out '{}': {error}", folder.display());
-    fs::create_dir_all(&folder).map_err(refused)?;
     print(&format!("Drawn by {}, GGX of alpha {ALPHA}, 1 sample per pixel.", gpu.name()));
 
     let width = lobe_report::QUICK_WIDTH;
@@ -66,7 +69,8 @@ fn run() -> Result<(), String> {
             files.push(("footprints.png".into(), footprints(&stage)?));
         }
     }
-    for path in write(&folder, &files).map_err(refused)? {
+    let paths = write(&folder, &files);
+    for path in paths.map_err(|error| format!("--out '{}': {error}", folder.display()))? {
         print(&path.display().to_string());
     }
     Ok(())
@@ -74,19 +78,6 @@ fn run() -> Result<(), String> {
 
 /// A constructor of a scene.
 type Scene = fn(usize, f64) -> Result<Shot, String>;
-
-/// The folder to write into; `None` if help is asked for.
-fn options(mut arguments: impl Iterator<Item = String>) -> Result<Option<PathBuf>, String> {
-    let mut folder = PathBuf::from("target/gpu");
-    while let Some(argument) = arguments.next() {
-        match argument.as_str() {
-            "--out" => folder = arguments.next().ok_or("--out needs a folder")?.into(),
-            "-h" | "--help" => return Ok(None),
-            other => return Err(format!("unknown option '{other}'; {USAGE}")),
-        }
-    }
-    Ok(Some(folder))
-}
 
 /// Unfiltered, widened, averaged, and the reference; their errors on the terminal.
 fn shaded(stage: &Stage) -> Result<Vec<u8>, String> {
@@ -183,6 +174,7 @@ fn strip(width: usize, pictures: &[Vec<[u8; 3]>]) -> Result<Vec<u8>, String> {
 fn write(folder: &Path, files: &[(String, Vec<u8>)]) -> std::io::Result<Vec<PathBuf>> {
     let unfinished = |name: &str| folder.join(format!(".{name}.{}", std::process::id()));
     let written = || -> std::io::Result<Vec<PathBuf>> {
+        fs::create_dir_all(folder)?;
         for (name, bytes) in files {
             fs::write(unfinished(name), bytes)?;
         }

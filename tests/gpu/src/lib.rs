@@ -24,5 +24,5 @@ mod shader;
 pub use compute::{Job, Kernel};
 pub use device::{Driver, Gpu};
 pub use needs::needed;
-pub use render::{Painter, draw};
+pub use render::Painter;
 pub use shader::Mode;

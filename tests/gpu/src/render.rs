@@ -28,25 +28,6 @@ const ROW_ALIGNMENT: u32 = wgpu::COPY_BYTES_PER_ROW_ALIGNMENT;
 /// Four floats.
 const PIXEL_BYTES: u32 = 16;
 
-/// Draws once, rows from the top: `fragment` holds an entry point `fragment` that returns `vec4<f32>`.
-///
-/// Even sizes make all quads whole. The buffers of `storage` are `var<storage, read>` at bindings 0, 1, ... of group 0, declared by
-/// the text.
-///
-/// # Errors
-///
-/// Wrong WGSL, with naga's pointed message.
-pub fn draw(
-    gpu: &'static Gpu,
-    library: &str,
-    fragment: &str,
-    storage: &[&[f32]],
-    width: u32,
-    height: u32,
-) -> Result<Vec<[f32; 4]>, String> {
-    Ok(Painter::new(gpu, library, fragment, storage, width, height)?.draw())
-}
-
 /// A fragment shader with its buffers and its picture.
 #[derive(Debug)]
 pub struct Painter {
@@ -57,11 +38,14 @@ pub struct Painter {
 }
 
 impl Painter {
-    /// Compiles; see [`draw`].
+    /// Compiles `fragment`, which holds an entry point `fragment` that returns `vec4<f32>`.
+    ///
+    /// Even sizes make all quads whole. The buffers of `storage` are `var<storage, read>` at bindings 0, 1, ... of group
+    /// 0, declared by the text.
     ///
     /// # Errors
     ///
-    /// As [`draw`].
+    /// Wrong WGSL, with naga's pointed message.
     pub fn new(
         gpu: &'static Gpu,
         library: &str,

@@ -28,7 +28,7 @@ pub(crate) fn module(
     (stage, name): (ShaderStage, &str),
 ) -> Result<ShaderModule, String> {
     // By ourselves, and first: wgpu would panic where naga's message can be returned.
-    let (parsed, _) = spirv::validated(wgsl)?;
+    let (parsed, info) = spirv::validated(wgsl)?;
     if !parsed.entry_points.iter().any(|entry| entry.stage == stage && entry.name == name) {
         return Err(format!("no {stage:?} entry point named `{name}`").to_lowercase());
     }
@@ -41,7 +41,7 @@ pub(crate) fn module(
             if !gpu.device.features().contains(wgpu::Features::PASSTHROUGH_SHADERS) {
                 return Err(format!("{} takes no SPIR-V as it is", gpu.name()));
             }
-            let mut words = spirv::assembled(wgsl)?;
+            let mut words = spirv::written(&parsed, &info)?;
             exact::no_contraction(&mut words);
             Ok(passthrough(gpu, &words, name))
         }

@@ -3,7 +3,7 @@
 use lobe::wgsl::{Item, source};
 use lobe_report::spirv;
 
-use lobe_gpu::{Driver, Gpu, Job, Mode, draw, exact, timing, tools};
+use lobe_gpu::{Driver, Gpu, Job, Mode, Painter, exact, timing, tools};
 
 /// Items of the comparisons with Rust.
 const COUNT: usize = 100_000;
@@ -194,7 +194,8 @@ fn height(p: vec2<f32>) -> f32 {
 }";
     for gpu in Gpu::every() {
         let size = SIZE as u32;
-        let picture = draw(gpu, library, fragment, &[&[1.0, 3.0, 10.0]], size, size).unwrap();
+        let weights: [&[f32]; 1] = [&[1.0, 3.0, 10.0]];
+        let picture = Painter::new(gpu, library, fragment, &weights, size, size).unwrap().draw();
         let f = |x: usize, y: usize| {
             let [x, y] = [x as f32 + 0.5, y as f32 + 0.5];
             x * x + 3.0 * x * y + 10.0 * y * y
@@ -222,9 +223,9 @@ fn wrong_text_is_pointed_at() {
         let message = job.run(gpu, mode, &[1.0]).unwrap_err();
         assert!(message.contains("return 1u"), "{message}");
     }
-    let message = draw(gpu, "", "fn fragment() -> i32 { return; }", &[], 1, 1).unwrap_err();
+    let message = Painter::new(gpu, "", "fn fragment() -> i32 { return; }", &[], 1, 1).unwrap_err();
     assert!(message.contains("fragment"), "{message}");
-    let message = draw(gpu, "", "fn other() {}", &[], 1, 1).unwrap_err();
+    let message = Painter::new(gpu, "", "fn other() {}", &[], 1, 1).unwrap_err();
     assert!(message.contains("no fragment entry point named `fragment`"), "{message}");
 }
 

@@ -33,8 +33,7 @@ fn stages() -> impl Iterator<Item = Stage<'static>> {
 /// A pixel of the picture, the one beside it and the one below or above in its quad; its column and row.
 fn quad(shot: &Shot, index: usize) -> ([&Seen; 3], [usize; 2]) {
     let (x, y) = (index % shot.width, index / shot.width);
-    let at = |x: usize, y: usize| &shot.seen[y * shot.quad_size()[0] + x];
-    ([at(x, y), at(x ^ 1, y), at(x, y ^ 1)], [x, y])
+    (shot.quad(x, y), [x, y])
 }
 
 fn minus<const N: usize>(a: [f32; N], b: [f32; N]) -> [f32; N] {

@@ -99,9 +99,7 @@ fn samples(alpha: f64) -> Result<Vec<f32>, String> {
     let [columns, rows] = shot.quad_size();
     let mut floats = Vec::with_capacity(columns * rows * FLOATS);
     for k in 0..columns * rows {
-        let (x, y) = (k % columns, k / columns);
-        let [here, right, up] =
-            [(x, y), (x ^ 1, y), (x, y ^ 1)].map(|(x, y)| &shot.seen[y * columns + x]);
+        let [here, right, up] = shot.quad(k % columns, k / columns);
         floats.extend([here.wo, here.wi, here.half, right.half, up.half].concat());
         // A normal's change: half of the half vector's, as under a fixed lamp and eye.
         for other in [right, up] {
@@ -148,16 +146,17 @@ fn cpu(options: &Options) -> Result<(), String> {
         options.alpha,
     );
     println!("{:34} {:>10} {:>14} {:>8}", "Method", "time over", "SPIR-V, inline", "more");
-    let at = |name: &str| METHODS.iter().position(|method| method.name == name);
+    let weights: Vec<usize> = jobs.iter().map(weight).collect::<Result<_, _>>()?;
+    // A method without a filter is its own base, and comes before those that it is the base of.
+    let mut base = 0;
     for (k, method) in METHODS.iter().enumerate() {
-        let base = at(method.base).unwrap_or(k);
-        let (own, of_base) = (weight(&jobs[k])?, weight(&jobs[base])?);
+        let own = weights[k];
+        if method.name == method.base {
+            base = k;
+        }
         let ratio = (times[k + 1] - empty) / (times[base + 1] - empty);
-        let more = if method.base.is_empty() {
-            String::new()
-        } else {
-            format!("+{}", own.saturating_sub(of_base))
-        };
+        let more = own.checked_sub(weights[base]).filter(|_| base != k);
+        let more = more.map_or(String::new(), |more| format!("+{more}"));
         println!("{:34} {ratio:10.2} {own:14} {more:>8}", method.name);
     }
     println!("\nTime over: over the same distribution, isotropic, without a filter.\n");
@@ -180,12 +179,15 @@ fn frames(options: &Options) -> Result<(), String> {
             options.frames,
         );
         println!("{:34} {:>9} {:>9} {:>22}", "Method", "frame", "filter", "his nearest, Table 2");
-        let mut known: Vec<(&str, f64)> = Vec::new();
+        let mut base = f64::NAN;
         for method in &METHODS {
             let time = frame(gpu, method, options, [width, height])?;
-            known.push((method.name, time));
-            let base = known.iter().find(|(name, _)| *name == method.base);
-            let filter = base.map_or(String::new(), |(_, base)| format!("{:+.3}", time - base));
+            let filter = if method.name == method.base {
+                base = time;
+                String::new()
+            } else {
+                format!("{:+.3}", time - base)
+            };
             let his = method.kaplanyan.map_or(String::new(), |ms| format!("{ms:+.2}"));
             println!("{:34} {time:9.3} {filter:>9} {his:>22}", method.name);
         }

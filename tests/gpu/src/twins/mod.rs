@@ -15,6 +15,26 @@ use input::Drawn;
 pub use input::Input;
 pub use value::Reader;
 
+/// Numbers at the ends of f32 and beyond them.
+const ODD: [f32; 16] = [
+    f32::NAN,
+    f32::INFINITY,
+    f32::NEG_INFINITY,
+    0.0,
+    -0.0,
+    1e-40,
+    -1e-45,
+    f32::MIN_POSITIVE,
+    f32::MAX,
+    f32::MIN,
+    1e30,
+    -1e30,
+    1e-30,
+    -1.0,
+    1.0,
+    2.0,
+];
+
 /// What expressions need beside the mirror.
 const PUT_TOGETHER: &str = "
 fn put_together(eigen: LobeEigen) -> vec3f {
@@ -68,6 +88,23 @@ impl Twin {
             let mut drawn = Drawn::default();
             for input in &self.inputs {
                 input.draw(&mut source, &mut drawn, &mut floats);
+            }
+        }
+        floats
+    }
+
+    /// The same, with numbers among them that no function promises anything for: in most items one in three, in one of
+    /// four items all.
+    pub fn draw_hostile(&self, count: usize) -> Vec<f32> {
+        let mut floats = self.draw(count);
+        for (seed, item) in (0..).zip(floats.chunks_mut(self.reads())) {
+            // Not the words that the item itself was drawn from.
+            let mut source = Source::from_seed(!seed);
+            let all = source.pick(4) == 0;
+            for x in item {
+                if all || source.pick(3) == 0 {
+                    *x = ODD[source.pick(ODD.len() as u64) as usize];
+                }
             }
         }
         floats

@@ -1,6 +1,6 @@
 //! The report's scenes in fragment shaders: their numbers as buffers, and what is drawn of them.
 
-use lobe_gpu::{Gpu, draw, needed};
+use lobe_gpu::{Gpu, Painter, needed};
 use lobe_report::shot::Shot;
 
 /// A picture of four floats a pixel, of the shot's size.
@@ -92,7 +92,9 @@ impl Stage<'_> {
         let buffers = [pixels(self.shot), traces(self.shot)];
         let buffers = buffers.each_ref().map(Vec::as_slice);
         let [columns, rows] = [width, height].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
-        let whole = draw(self.gpu, &needed(&fragment), &fragment, &buffers, columns, rows)?;
+        let library = needed(&fragment);
+        let painter = Painter::new(self.gpu, &library, &fragment, &buffers, columns, rows)?;
+        let whole = painter.draw();
         let rows = whole.chunks(width).take(self.shot.height);
         Ok(rows.flat_map(|row| &row[..self.shot.width]).copied().collect())
     }
