@@ -60,6 +60,22 @@ pub enum Error {
     HalfVector,
     /// A position or direction has no length, or is infinite or NaN.
     Direction,
+    /// A slope cap is outside `(0, 1e9]` or NaN.
+    Cap,
+    /// A map's size and the number of its texels differ, or it has none.
+    MapSize,
+    /// The distance of a height map's texels is outside `[1e-9, 1e9]`, of either sign, or NaN.
+    Texel,
+    /// `displacement` is beyond 1e9 in magnitude, or NaN.
+    Displacement,
+    /// The length of a mean normal is outside `(0, 1]` or NaN.
+    MeanLength,
+    /// `exponent` is outside `[0, 1e9]` or NaN.
+    Exponent,
+    /// A grid's spacing is outside `(0, 10]` or NaN, or it has no node.
+    Spacing,
+    /// The range of a storage is outside `(1e-9, 1e9]`, of halves `(1e-9, 181]`, or NaN.
+    Range,
 }
 
 impl fmt::Display for Error {
@@ -88,6 +104,14 @@ impl fmt::Display for Error {
             Self::Length => "slices must have one length",
             Self::HalfVector => "half vector must be finite and point above the surface",
             Self::Direction => "direction or position must be finite and have a length",
+            Self::Cap => "slope cap must lie in (0, 1e9]",
+            Self::MapSize => "a map must have as many texels as its size says, and at least one",
+            Self::Texel => "distances of texels must lie in [1e-9, 1e9], of either sign",
+            Self::Displacement => "displacement must lie in [-1e9, 1e9]",
+            Self::MeanLength => "length of a mean normal must lie in (0, 1]",
+            Self::Exponent => "exponent must lie in [0, 1e9]",
+            Self::Spacing => "spacing of a grid must lie in (0, 10], and it needs a node",
+            Self::Range => "range of stored slopes must lie in (1e-9, 1e9], of halves (1e-9, 181]",
         })
     }
 }

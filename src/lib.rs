@@ -41,6 +41,8 @@
 //!   mean.
 //! - [`filter`] has the rest: exact means over polygons, proxies with the right peak, filtering on the projected disk,
 //!   roughness for G-buffers, area lights, what engines ship, the papers' formulas as printed.
+//! - [`material::lean`] makes moments of normal and displacement maps, with mip chains and textures; [`material::leadr`]
+//!   shades displaced surfaces under lights and environments.
 //! - [`shade`] puts it together for a renderer that wants one call per light.
 //! - [`mod@wgsl`] has all of it for shaders, and gives out what one needs.
 //!
@@ -90,18 +92,20 @@
 //! | `std` (default) | square root, sine and cosine from the standard library |
 //! | `libm` | the same from `libm`, for `no_std` |
 //! | `published` (default) | what papers and engines have, to compare: `filter::preset`, `filter::kaplanyan_*` |
+//! | `lean` (default) | normal and displacement maps as moments, [`material::lean`]; needs an allocator |
+//! | `leadr` (default) | displaced surfaces under lights and environments, [`material::leadr`] |
 //! | `wgsl` (default) | the same functions in WGSL, as text: [`mod@wgsl`]; needs an allocator |
 //! | `probe` | precisions that measure (operations, contraction, rounding): for reports and checks, not for shading |
 //! | `glam` | `From` and `TryFrom` between [`Psd`] and `glam::Mat2`, `glam::DMat2` |
 //!
 //! # What it is not
 //!
-//! No sampling, no multiple scattering, no colour, no lights, no textures, and no filter chosen for you: which
+//! No sampling, no multiple scattering, no colour spaces, no file formats, and no filter chosen for you: which
 //! one a scene wants depends on what it may cost, and the report (`cargo run --release -p lobe-report`) says
 //! what each costs and how wrong it is.
 #![forbid(unsafe_code)]
 #![no_std]
-#[cfg(feature = "wgsl")]
+#[cfg(any(feature = "wgsl", feature = "lean"))]
 extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;

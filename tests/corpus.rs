@@ -31,3 +31,8 @@ fn constructors_reject_or_yield_a_valid_value() {
 fn single_precision_agrees_with_double() {
     replay("precision", fuzz_laws::precision);
 }
+
+#[test]
+fn maps_and_surfaces_stay_valid() {
+    replay("maps", fuzz_laws::maps);
+}

@@ -11,16 +11,23 @@ fn the_table_of_engines_is_what_its_example_prints() {
     assert_eq!(text, made, "cargo run --example presets > src/filter/preset.md");
 }
 
-/// Every erratum in README names a test of tests/errata.rs, and every such test is named.
+/// Every erratum in README names a test of tests/errata*.rs, and every such test is named.
 #[test]
 fn every_erratum_is_listed_with_its_test() {
-    let (readme, tests) = (include_str!("../README.md"), include_str!("errata.rs"));
-    let tests: Vec<&str> =
-        tests.split("#[test]\nfn ").skip(1).filter_map(|rest| rest.split('(').next()).collect();
-    assert!(tests.len() >= 10, "{tests:?}");
-    for name in &tests {
-        assert!(readme.contains(&format!("[`{name}`](tests/errata.rs)")), "README misses {name}");
+    let readme = include_str!("../README.md");
+    let files = [
+        ("errata.rs", include_str!("errata.rs")),
+        ("errata_leadr.rs", include_str!("errata_leadr.rs")),
+    ];
+    for (file, text) in files {
+        let tests: Vec<&str> =
+            text.split("#[test]\nfn ").skip(1).filter_map(|rest| rest.split('(').next()).collect();
+        assert!(tests.len() >= 8, "{tests:?}");
+        for name in &tests {
+            let link = format!("[`{name}`](tests/{file})");
+            assert!(readme.contains(&link), "README misses {name}");
+        }
+        let listed = readme.matches(&format!("](tests/{file})")).count();
+        assert_eq!(listed, tests.len(), "README lists a test that is not there");
     }
-    let listed = readme.matches("](tests/errata.rs)").count();
-    assert_eq!(listed, tests.len(), "README lists a test that is not there");
 }

@@ -7,6 +7,7 @@ mod rust;
 #[path = "mirror/wgsl.rs"]
 mod wgsl;
 
+use lobe::filter::VmfWidening;
 use lobe::filter::preset::Engine;
 use lobe::wgsl::{Item, Module};
 use lobe::{Footprint, Kernel, PixelFilter, Real};
@@ -200,6 +201,8 @@ fn public_constant(twin: &str) -> Option<f32> {
         "PixelFilter::KAPLANYAN_PROXY" => variance(PixelFilter::KAPLANYAN_PROXY),
         "Footprint::WIDTH_LIMIT" => Footprint::<f32>::WIDTH_LIMIT as f32,
         "Kernel::ALPHA_SQUARED_LIMIT" => Kernel::<f32>::ALPHA_SQUARED_LIMIT as f32,
+        "VmfWidening::THE_ORDER" => VmfWidening::THE_ORDER.gain() as f32,
+        "VmfWidening::SPECULAR_AA" => VmfWidening::SPECULAR_AA.gain() as f32,
         "inverse_pi" => core::f64::consts::FRAC_1_PI as f32,
         _ => {
             let engine = twin.strip_prefix("Engine::")?;

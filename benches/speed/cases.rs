@@ -3,8 +3,8 @@
 //! Shapes are built beforehand where a case is named for its evaluation, as an engine's material or decoded
 //! G-buffer has them; `per_sample` cases build them inside.
 
-use super::hand_written;
 use super::samples::{COUNT, Regime, Sample, samples};
+use super::{hand_written, maps};
 use lobe::filter::{self, DiskKernel};
 use lobe::{
     AxisAligned, Beckmann, Footprint, Full, Ggx, Isotropic, Kernel, PixelFilter, Roughness, Tilted,
@@ -20,7 +20,7 @@ pub(crate) struct Case {
 
 /// A case from inputs and a function of one of them.
 #[inline(always)]
-fn case<T: 'static>(
+pub(crate) fn case<T: 'static>(
     group: &'static str,
     name: &'static str,
     inputs: Vec<T>,
@@ -140,5 +140,6 @@ pub(crate) fn all() -> Vec<Case> {
     for regime in Regime::ALL {
         cases.extend(footprints(regime));
     }
+    cases.extend(maps::cases());
     cases
 }

@@ -6,6 +6,7 @@
 
 mod cases;
 mod hand_written;
+mod maps;
 mod ratios;
 mod samples;
 

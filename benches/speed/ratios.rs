@@ -1,6 +1,7 @@
 //! The table of ratios at the end of a run.
 
 use super::cases::Case;
+use super::maps;
 use super::samples::{COUNT, Regime};
 use std::time::Instant;
 
@@ -23,6 +24,17 @@ const COSTS: [&str; 7] = [
     "variance_addition",
     "peak_fitted",
     "projected_space",
+];
+
+/// Steps from a normal map's texels to radiance, and what each is held against.
+const MAPS: [(&str, &str); 7] = [
+    ("texels_to_slopes", "copy"),
+    ("mip_chain", "copy"),
+    ("bilinear", "copy"),
+    ("trilinear", "bilinear"),
+    ("along_eight_probes", "trilinear"),
+    ("raw_moments_shaded", "bilinear"),
+    ("facets_five_by_five", "raw_moments_shaded"),
 ];
 
 /// Rounds of a comparison, and passes over all samples in each turn of a round.
@@ -72,6 +84,9 @@ pub(crate) fn print(cases: &mut [Case]) {
     }
     for subject in COSTS {
         print_ratio(cases, "shading", subject, "isotropic", "");
+    }
+    for (subject, rival) in MAPS {
+        print_ratio(cases, maps::GROUP, subject, rival, "");
     }
     for regime in Regime::ALL {
         print_ratio(cases, regime.name(), "appendix_a_by_hand", "appendix_a", "");

@@ -14,6 +14,8 @@ mod edges;
 mod frame;
 mod gaussian;
 mod kernel;
+#[cfg(feature = "published")]
+mod length;
 mod light;
 mod polygon;
 #[cfg(feature = "published")]
@@ -34,6 +36,8 @@ pub use deferred::{
 };
 pub use gaussian::ggx_gaussian_mean;
 pub use kernel::{Kernel, PixelFilter};
+#[cfg(feature = "published")]
+pub use length::{VmfWidening, clean_variance, toksvig_exponent, toksvig_variance, vmf_sharpness};
 pub use light::SphericalGaussian;
 pub use projected::{DiskKernel, projected_alpha};
 pub use proxy::{box_peak_alpha, gaussian_peak_alpha};

@@ -1,5 +1,9 @@
-//! Materials beyond the lobe: what a facade multiplies it by.
+//! Materials: normal and displacement maps as lobes, and what a facade multiplies a lobe by.
 
 mod fresnel;
+#[cfg(feature = "leadr")]
+pub mod leadr;
+#[cfg(feature = "lean")]
+pub mod lean;
 
 pub use fresnel::Fresnel;

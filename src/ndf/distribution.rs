@@ -142,15 +142,9 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
     #[inline(always)]
     pub fn brdf(&self, wo: impl Into<[S::Scalar; 3]>, wi: impl Into<[S::Scalar; 3]>) -> S::Scalar {
         let (wo, wi) = (wo.into(), wi.into());
-        let (x, x_low) = two_sum(wo[0], wi[0]);
-        let (y, y_low) = two_sum(wo[1], wi[1]);
-        let (z, z_low) = two_sum(wo[2], wi[2]);
-        let form = self.shape.form([x, y, z], [x_low, y_low, z_low]);
-        let length_squared = x * x + y * y + z * z;
         let (c_o, c_i, sum) = self.visibility_terms(wo, wi);
-        let root_det = self.shape.root_det();
         let weight = S::Scalar::HALF * inverse_pi::<S::Scalar>() / sum;
-        let brdf = D::density(form, root_det, z, length_squared, weight);
+        let (brdf, z) = self.half_density(wo, wi, weight);
         let lowest = c_o.min(c_i);
         // Directions above the surface have a half vector above it; above a tilted plane, not always.
         let lowest = if S::CENTRED { lowest } else { lowest.min(z) };
@@ -158,5 +152,52 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
         // mirror's 0/0.
         let limit = if lowest > S::Scalar::ZERO { S::Scalar::MAX } else { S::Scalar::ZERO };
         brdf.max(S::Scalar::ZERO).min(limit)
+    }
+
+    /// `weight` times $\pi D$ at the half vector, of directions that are not checked, and the height of their sum.
+    #[inline(always)]
+    fn half_density(
+        &self,
+        wo: [S::Scalar; 3],
+        wi: [S::Scalar; 3],
+        weight: S::Scalar,
+    ) -> (S::Scalar, S::Scalar) {
+        let (x, x_low) = two_sum(wo[0], wi[0]);
+        let (y, y_low) = two_sum(wo[1], wi[1]);
+        let (z, z_low) = two_sum(wo[2], wi[2]);
+        let form = self.shape.form([x, y, z], [x_low, y_low, z_low]);
+        let length_squared = x * x + y * y + z * z;
+        (D::density(form, self.shape.root_det(), z, length_squared, weight), z)
+    }
+
+    /// The BRDF times the cosine of `wi` with masking alone, $D(h)/(4 \sigma_o)$: no shadows.
+    ///
+    /// For displaced surfaces whose own shadows are not drawn (LEADR). `wi` may lie anywhere, as nothing shades it; 0 if
+    /// $\sigma_o$ is, or h lies below the horizon; at most the largest finite number.
+    ///
+    /// Source: Dupuy et al. 2013, supplement, section 1.5.
+    ///
+    /// ```
+    /// use lobe::{Beckmann, Isotropic};
+    /// let ndf = Beckmann::new(Isotropic::new(0.3_f64)?);
+    /// let (wo, wi) = ([0.6, 0.0, 0.8], [-0.48, 0.36, 0.8]);
+    /// assert!(ndf.unshadowed(wo, wi) > ndf.brdf(wo, wi) * wi[2]);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: `lobe_ggx_unshadowed`, `lobe_beckmann_unshadowed`.
+    #[inline(always)]
+    pub fn unshadowed(
+        &self,
+        wo: impl Into<[S::Scalar; 3]>,
+        wi: impl Into<[S::Scalar; 3]>,
+    ) -> S::Scalar {
+        let (wo, wi) = (wo.into(), wi.into());
+        let quarter = S::Scalar::HALF * S::Scalar::HALF;
+        let area = self.projected_area(wo);
+        let (value, z) = self.half_density(wo, wi, quarter * inverse_pi::<S::Scalar>() / area);
+        let lowest = area.min(z).min(self.shape.root_det());
+        let limit = if lowest > S::Scalar::ZERO { S::Scalar::MAX } else { S::Scalar::ZERO };
+        value.max(S::Scalar::ZERO).min(limit)
     }
 }

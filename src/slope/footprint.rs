@@ -226,6 +226,27 @@ impl<R: Real> Footprint<R> {
         Self { u: self.u.map(|x| x * factor), v: self.v.map(|x| x * factor) }
     }
 
+    /// How the half vector's slope moves against a lobe whose mean moves, too: derivatives of $s_h - \mu$, the
+    /// mean's given as two vectors along the same pixel axes.
+    ///
+    /// For moments of a normal map's finest level, whose detail the pixel then counts. Moments of the pixel's own
+    /// level have it in their covariance: there take the footprint as it is, or it counts twice
+    /// (`material::lean`).
+    ///
+    /// ```
+    /// use lobe::Footprint;
+    /// // A map whose slope follows the half vector's: the highlight stays where it is.
+    /// let footprint = Footprint::from_slopes([0.25_f32, 0.0], [0.0, 0.5]);
+    /// assert_eq!(footprint.against([0.25, 0.0], [0.0, 0.5]).area(), 0.0);
+    /// ```
+    ///
+    /// WGSL: `lobe_footprint_against`.
+    #[must_use]
+    pub fn against(&self, mean_u: impl Into<[R; 2]>, mean_v: impl Into<[R; 2]>) -> Self {
+        let ([a, b], [c, d]) = (mean_u.into(), mean_v.into());
+        Self { u: [self.u[0] - a, self.u[1] - b], v: [self.v[0] - c, self.v[1] - d] }
+    }
+
     /// Area of the parallelogram, in squared slope units.
     ///
     /// WGSL: `lobe_footprint_area`.

@@ -3,6 +3,7 @@
 pub mod direction;
 mod footprint;
 pub mod jacobian;
+mod layers;
 mod lobe;
 mod moments;
 mod motion;

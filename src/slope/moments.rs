@@ -42,6 +42,12 @@ impl<R: Real> SlopeMoments<R> {
         }
     }
 
+    /// The same of a mean and a covariance that are known to be in range.
+    #[inline]
+    pub(crate) fn unchecked(mean: [R; 2], covariance: Psd<R>) -> Self {
+        Self { mean, covariance }
+    }
+
     /// One slope: no spread.
     ///
     /// # Errors
@@ -114,14 +120,19 @@ impl<R: Real> SlopeMoments<R> {
         if !(weight >= R::ZERO && other_weight >= R::ZERO && sum > R::ZERO && sum.is_finite()) {
             return Err(Error::Weight);
         }
-        let (p, q) = (weight / sum, other_weight / sum);
+        Ok(self.shared(weight / sum, other, other_weight / sum))
+    }
+
+    /// [`SlopeMoments::merged`] by shares `p` and `q` of the whole, not negative, with sum 1.
+    #[inline]
+    pub(crate) fn shared(&self, p: R, other: &Self, q: R) -> Self {
         let d = [other.mean[0] - self.mean[0], other.mean[1] - self.mean[1]];
         let spread = (p * q).sqrt();
         let between = Psd::outer_sum(d.map(|x| x * spread), [R::ZERO; 2]);
-        Ok(Self {
+        Self {
             mean: [self.mean[0] + q * d[0], self.mean[1] + q * d[1]],
             covariance: self.covariance.scaled(p).plus(&other.covariance.scaled(q)).plus(&between),
-        })
+        }
     }
 
     /// The lobe of this patch over a base material: mean slope, $A = A_{base} + 2\Sigma$.

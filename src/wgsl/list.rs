@@ -70,6 +70,7 @@ items! {
     FootprintDiameter: fn "footprint_diameter", "Footprint::diameter";
     FootprintRescaled: fn "footprint_rescaled", "Footprint::rescaled";
     FootprintScaled: fn "footprint_scaled", "Footprint::scaled";
+    FootprintAgainst: fn "footprint_against", "Footprint::against";
     FootprintArea: fn "footprint_area", "Footprint::area";
     SlopeFootprint: file "slope_footprint";
     FootprintFromMotion: fn "footprint_from_motion", "Footprint::from_motion";
@@ -134,6 +135,13 @@ items! {
     SlopeMomentsMerged: fn "slope_moments_merged", "SlopeMoments::merged";
     SlopeMomentsLobe: fn "slope_moments_lobe", "SlopeMoments::lobe";
     SlopeMoments: file "slope_moments";
+    SlopeMomentsPlus: fn "slope_moments_plus", "SlopeMoments::plus";
+    SlopeMomentsPlusCorrelated: fn "slope_moments_plus_correlated", "SlopeMoments::plus_correlated";
+    SlopeMomentsCrossCovariance: fn "slope_moments_cross_covariance", "SlopeMoments::cross_covariance";
+    SlopeMomentsScaled: fn "slope_moments_scaled", "SlopeMoments::scaled";
+    SlopeMomentsTilted: fn "slope_moments_tilted", "SlopeMoments::tilted";
+    SlopeMomentsTransformed: fn "slope_moments_transformed", "SlopeMoments::transformed";
+    SlopeLayers: file "slope_layers";
     NdfDistribution: file "ndf_distribution";
     NdfMasking: file "ndf_masking";
     GgxDensity: fn "ggx_density", "GgxDistribution::density";
@@ -142,6 +150,7 @@ items! {
     GgxSlopePdf: fn "ggx_slope_pdf", "Ndf::slope_pdf";
     GgxD: fn "ggx_d", "Ndf::d";
     GgxBrdf: fn "ggx_brdf", "Ndf::brdf";
+    GgxUnshadowed: fn "ggx_unshadowed", "Ndf::unshadowed";
     GgxProjectedArea: fn "ggx_projected_area", "Ndf::projected_area";
     GgxLambda: fn "ggx_lambda", "Ndf::lambda";
     GgxMasking: fn "ggx_masking", "Ndf::g1";
@@ -154,6 +163,7 @@ items! {
     BeckmannSlopePdf: fn "beckmann_slope_pdf", "Ndf::slope_pdf";
     BeckmannD: fn "beckmann_d", "Ndf::d";
     BeckmannBrdf: fn "beckmann_brdf", "Ndf::brdf";
+    BeckmannUnshadowed: fn "beckmann_unshadowed", "Ndf::unshadowed";
     BeckmannProjectedArea: fn "beckmann_projected_area", "Ndf::projected_area";
     BeckmannLambda: fn "beckmann_lambda", "Ndf::lambda";
     BeckmannMasking: fn "beckmann_masking", "Ndf::g1";
@@ -220,6 +230,17 @@ items! {
     FresnelSchlick: fn "fresnel_schlick", "Fresnel::schlick";
     FresnelConductor: fn "fresnel_conductor", "Fresnel::conductor";
     MaterialFresnel: file "material_fresnel";
+    SlopeMomentsFromUnorm: fn "slope_moments_from_unorm", "SlopeMoments::from_unorm";
+    MaterialLeanStorage: file "material_lean_storage";
+    LeadrNew: fn "leadr_new", "Leadr::new";
+    LeadrSpecular: fn "leadr_specular", "Leadr::specular";
+    LeadrSpecularUnshadowed: fn "leadr_specular_unshadowed", "Leadr::specular";
+    LeadrLightReaching: fn "leadr_light_reaching", "Leadr::light_reaching";
+    LeadrFacet: fn "leadr_facet", "Leadr::facet";
+    LeadrArtificialFacet: fn "leadr_artificial_facet", "Leadr::artificial_facet";
+    MaterialLeadrSurface: file "material_leadr_surface";
+    CubeLod: fn "cube_lod", "cube_lod";
+    MaterialLeadrLod: file "material_leadr_lod";
     Bake: fn "bake", "Material::bake";
     HalfCosine: fn "half_cosine";
     GgxEvaluate: fn "ggx_evaluate", "Shading::evaluate";
@@ -231,6 +252,14 @@ items! {
     FragmentDeferredAlpha: fn "fragment_deferred_alpha";
     Fragment: file "fragment";
     #[feature("published")]
+    ToksvigVariance: fn "toksvig_variance", "toksvig_variance";
+    ToksvigExponent: fn "toksvig_exponent", "toksvig_exponent";
+    CleanVariance: fn "clean_variance", "clean_variance";
+    VmfSharpness: fn "vmf_sharpness", "vmf_sharpness";
+    VmfWideningTheOrder: const "VMF_WIDENING_THE_ORDER", "VmfWidening::THE_ORDER";
+    VmfWideningSpecularAa: const "VMF_WIDENING_SPECULAR_AA", "VmfWidening::SPECULAR_AA";
+    VmfAlpha: fn "vmf_alpha", "VmfWidening::alpha";
+    FilterLength: file "filter_length";
     EngineFilament: const "ENGINE_FILAMENT", "Engine::Filament";
     EngineUnityHdrp: const "ENGINE_UNITY_HDRP", "Engine::UnityHdrp";
     EngineGodot: const "ENGINE_GODOT", "Engine::Godot";

@@ -61,6 +61,7 @@ modules! {
     "slope/tilted",
     "slope/lobe",
     "slope/moments",
+    "slope/layers",
     "ndf/distribution",
     "ndf/masking",
     "ndf/ggx",
@@ -80,10 +81,15 @@ modules! {
     "filter/beckmann",
     "filter/deferred",
     #[cfg(feature = "published")]
+    "filter/length",
+    #[cfg(feature = "published")]
     "filter/preset",
     #[cfg(feature = "published")]
     "filter/published",
     "material/fresnel",
+    "material/lean/storage",
+    "material/leadr/surface",
+    "material/leadr/lod",
     "shade",
     "fragment",
 }

@@ -36,6 +36,8 @@ pub enum Preset {
     RayTraced,
     /// A plane with LEAN moments in textures, Beckmann, widened by the quad's kernel.
     LeanPlane,
+    /// A displaced surface with LEAN moments in unorm textures: LEADR for lights at points, and the facets of a grid.
+    Displaced,
     /// GGX under a spherical Gaussian light and the quad's kernel.
     AreaLight,
     /// The facade with Schlick's reflectance, GGX, widened by the quad's kernel.
@@ -44,7 +46,7 @@ pub enum Preset {
 
 impl Preset {
     /// Every preset, without a filter first.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Plain,
         Self::IsotropicDeferred,
         Self::AnisotropicDeferred,
@@ -55,6 +57,7 @@ impl Preset {
         Self::ForwardBeckmann,
         Self::RayTraced,
         Self::LeanPlane,
+        Self::Displaced,
         Self::AreaLight,
         Self::Facade,
     ];
@@ -76,6 +79,7 @@ impl Preset {
             Self::ForwardBeckmann => "forward_beckmann",
             Self::RayTraced => "ray_traced",
             Self::LeanPlane => "lean_plane",
+            Self::Displaced => "displaced",
             Self::AreaLight => "area_light",
             Self::Facade => "facade",
         }
@@ -176,6 +180,16 @@ impl Preset {
                 I::Shape,
                 I::TiltedPair,
                 I::BeckmannBrdf,
+            ],
+            Self::Displaced => &[
+                I::SlopeMomentsFromUnorm,
+                I::SlopeMomentsLobe,
+                I::RoughnessFromAlpha,
+                I::LeadrNew,
+                I::LeadrSpecular,
+                I::LeadrFacet,
+                I::LeadrArtificialFacet,
+                I::CubeLod,
             ],
             Self::AreaLight => &[
                 I::SphericalGaussianNew,

@@ -12,3 +12,9 @@ fn lobe_density_at(density: f32, at: LobeNormal) -> f32 {
 fn lobe_brdf_at(brdf: f32, at: LobePair) -> f32 {
     return lobe_min(lobe_max(brdf, 0.0), select(0.0, LOBE_MAX, at.lowest > 0.0));
 }
+
+// WGSL only: the end of `Ndf::unshadowed`: 0 where nothing is seen or the half vector is below.
+fn lobe_unshadowed_at(value: f32, area: f32, at: LobePair) -> f32 {
+    let lowest = lobe_min(lobe_min(area, at.z), at.root_det);
+    return lobe_min(lobe_max(value, 0.0), select(0.0, LOBE_MAX, lowest > 0.0));
+}

@@ -32,6 +32,13 @@ fn lobe_ggx_brdf(at: LobePair) -> f32 {
     return lobe_brdf_at(lobe_ggx_density(at.form, at.root_det, at.z, at.length_squared, weight), at);
 }
 
+// Rust: `Ndf::unshadowed`, of a shape's answers at a pair of directions. 0 for NaN.
+fn lobe_ggx_unshadowed(at: LobePair) -> f32 {
+    let area = lobe_ggx_projected_area(at.wo);
+    let weight = 0.25 * LOBE_INVERSE_PI / area;
+    return lobe_unshadowed_at(lobe_ggx_density(at.form, at.root_det, at.z, at.length_squared, weight), area, at);
+}
+
 // Rust: `Ndf::projected_area`, of a shape's answers at a direction. 0 for NaN.
 fn lobe_ggx_projected_area(at: LobeView) -> f32 {
     return lobe_projected_area_of(at.mean_area, lobe_ggx_excess(abs(at.mean_area), at.stretch_squared));

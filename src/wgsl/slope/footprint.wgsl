@@ -146,6 +146,15 @@ fn lobe_footprint_scaled(footprint: LobeFootprint, factor: f32) -> LobeFootprint
     return lobe_footprint_from_slopes(vec2f(u.x * factor, u.y * factor), vec2f(v.x * factor, v.y * factor));
 }
 
+// Rust: `Footprint::against`. 0 for NaN.
+fn lobe_footprint_against(footprint: LobeFootprint, mean_u: vec2f, mean_v: vec2f) -> LobeFootprint {
+    let u = footprint.u;
+    let v = footprint.v;
+    return lobe_footprint_from_slopes(
+        vec2f(u.x - mean_u.x, u.y - mean_u.y), vec2f(v.x - mean_v.x, v.y - mean_v.y)
+    );
+}
+
 // Rust: `Footprint::area`. 0 for NaN.
 fn lobe_footprint_area(footprint: LobeFootprint) -> f32 {
     return lobe_defined(abs(lobe_cross(footprint.u, footprint.v)));

@@ -5,9 +5,11 @@
 
 mod bytes;
 mod constructors;
+mod maps;
 mod precision;
 mod valid;
 mod widenings;
 
 pub(crate) use constructors::constructors;
+pub(crate) use maps::maps;
 pub(crate) use precision::precision;

@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 use lobe::material::Fresnel;
+use lobe::material::leadr::{Grid, Leadr, Normalisation, Shadowing};
 use lobe::shade::Material;
 use lobe::{
     Beckmann, Error, Footprint, Ggx, Isotropic, Kernel, Lobe, PixelFilter, Roughness, filter,
@@ -26,7 +27,11 @@ fn shade(alpha: f32, angle: f32) -> Result<f32, Error> {
         + filter::beckmann_rectangle_mean([alpha, alpha], [0.1, 0.0], footprint.extents());
     let gold = Material::ggx(lobe, Fresnel::schlick([1.0, 0.8, 0.3])?).bake(&kernel);
     let [red, ..] = gold.evaluate(wo, wi);
-    Ok(exact + red + ggx.brdf(wo, wi) + widened.brdf(wo, wi) + widened.lambda_walter(wo))
+    let sky = |wi: [f32; 3], _: f32| [wi[2].max(0.0); 3];
+    let grid = Grid::<f32, 5>::cells();
+    let (all, sum) = (Shadowing::Both, Normalisation::Sum);
+    let [relief, ..] = Leadr::new(&lobe).environment(wo, &grid, all, sum, &Fresnel::white(), &sky);
+    Ok(exact + red + relief + ggx.brdf(wo, wi) + widened.brdf(wo, wi) + widened.lambda_walter(wo))
 }
 
 /// The entry point; `extern "C"` and without generics, so that all of the above is compiled.

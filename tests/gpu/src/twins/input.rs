@@ -61,6 +61,14 @@ pub enum Input {
     Extinction,
     /// Three second moments, xx, xy, yy, of a distribution around the mean drawn before.
     Second,
+    /// The length of a mean of unit normals.
+    MeanLength,
+    /// Raw moments as a sampler gives them of a unorm texture, two and three, and the range of it.
+    Unorm,
+    /// A matrix, row by row, with entries of moderate size.
+    Matrix,
+    /// A node of a grid over a Gaussian: place, weight, extent.
+    Node,
     /// Curvature, b11, b12, b22.
     Curvature,
     /// A positive semi-definite matrix.
@@ -99,9 +107,9 @@ impl Input {
             | Self::Curvature
             | Self::Psd
             | Self::Roughness => 3,
-            Self::Footprint | Self::Kernel => 4,
+            Self::Footprint | Self::Kernel | Self::Matrix | Self::Node => 4,
             Self::Lobe => 5,
-            Self::Pair => 6,
+            Self::Pair | Self::Unorm => 6,
             Self::Halves => 9,
             Self::Frames => 36,
             _ => 1,
@@ -128,6 +136,9 @@ impl Input {
                 let outer = format!("lobe_psd_outer_sum({}, {})", pair(0), pair(2));
                 format!("lobe_kernel_from_covariance({outer})")
             }
+            Self::Unorm => format!("{}, {}, {}", pair(0), triple(2), at(5)),
+            Self::Matrix => format!("mat2x2f({}, {}, {}, {})", at(0), at(2), at(1), at(3)),
+            Self::Node => format!("LobeNode({}, {}, {})", pair(0), at(2), at(3)),
             Self::Pair => format!("{}, {}", triple(0), triple(3)),
             Self::Halves => format!("{}, {}, {}", triple(0), triple(3), triple(6)),
             Self::Frames => {
@@ -142,6 +153,7 @@ impl Input {
     }
 
     /// Draws it.
+    #[allow(clippy::too_many_lines, reason = "a table")]
     pub(super) fn draw(self, source: &mut Source, drawn: &mut Drawn, out: &mut Vec<f32>) {
         let mut put = |values: &[f64]| out.extend(values.iter().map(|&x| x as f32));
         let s = source;
@@ -208,6 +220,27 @@ impl Input {
                 let ([x, y], e) = (drawn.mean, s.ellipse());
                 let [xx, xy, yy] = e.entries();
                 put(&[0.5 * xx + x * x, 0.5 * xy + x * y, 0.5 * yy + y * y]);
+            }
+            Self::MeanLength => put(&[match s.pick(4) {
+                0 => 1.0,
+                1 => s.log_uniform(1e-6, 1.0),
+                _ => 1.0 - s.log_uniform(1e-7, 0.5),
+            }]),
+            Self::Unorm => {
+                let [xx, xy, yy] = s.mild_ellipse(10.0).entries().map(|a| 0.5 * a);
+                // Where steps leave no digit of a determinant, the last bit says whether there is one.
+                let [x, y] = [xx, yy].map(|variance| s.uniform(-3.0, 3.0) * variance.sqrt());
+                let second = [xx + x * x, xy + x * y, yy + y * y];
+                let range = second[0].max(second[2]).sqrt().max(1e-6);
+                let signed = |x: f64| (32768.0 + 32767.0 * x) / 65535.0;
+                let square = range * range;
+                put(&[signed(x / range), signed(y / range), second[0] / square]);
+                put(&[signed(second[1] / square), second[2] / square, range]);
+            }
+            Self::Matrix => put(&[0; 4].map(|_| size(s, 1e-3, 1e2) * s.sign())),
+            Self::Node => {
+                let place = s.vector(1e-3, 5.0);
+                put(&[place[0], place[1], s.log_uniform(1e-6, 1.0), s.log_uniform(1e-3, 10.0)]);
             }
             Self::Psd | Self::Roughness => {
                 out.extend(s.ellipse().entries_single());

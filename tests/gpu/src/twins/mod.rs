@@ -2,6 +2,7 @@
 
 mod filters;
 mod input;
+mod material;
 mod ndf;
 mod scalar;
 mod slope;
@@ -158,7 +159,7 @@ macro_rules! twins {
                     $rust
                 }
                 fn flat<R: lobe::Real>(x: &mut $crate::twins::value::Reader<'_>) -> Vec<R> {
-                    let mut out = Vec::with_capacity(6);
+                    let mut out = Vec::with_capacity(9);
                     $crate::twins::value::Flat::<R>::flat(eval::<R>(x), &mut out);
                     out
                 }
@@ -183,5 +184,6 @@ use twins;
 
 /// All of them.
 pub fn all() -> Vec<Twin> {
-    [scalar::twins(), slope::twins(), ndf::all_twins(), filters::twins()].concat()
+    [scalar::twins(), slope::twins(), ndf::all_twins(), filters::twins(), material::twins()]
+        .concat()
 }

@@ -103,6 +103,7 @@ methods! {
     slope_pdf(slope) "lobe_SHAPE_normal(MADE, vec3f(-$1, 1.0))";
     d(direction) "lobe_SHAPE_normal(MADE, $1)";
     brdf(first, second) "lobe_SHAPE_pair(MADE, $1)";
+    unshadowed(first, second) "lobe_SHAPE_pair(MADE, $1)";
     projected_area(direction) "lobe_SHAPE_view(MADE, $1)";
     lambda(direction) "lobe_SHAPE_view(MADE, $1)";
     g1 as "masking" (direction) "lobe_SHAPE_view(MADE, $1)";

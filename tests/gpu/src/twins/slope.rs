@@ -31,7 +31,7 @@ fn tilted<R: Real>(x: &mut Reader<'_>) -> Tilted<Full<R>> {
     x.lobe().shape()
 }
 
-fn moments<R: Real>(x: &mut Reader<'_>) -> SlopeMoments<R> {
+pub(super) fn moments<R: Real>(x: &mut Reader<'_>) -> SlopeMoments<R> {
     let mean = x.vec::<R, 2>();
     SlopeMoments::new(mean, x.psd()).expect("a drawn mean is in range")
 }

@@ -1,6 +1,7 @@
 //! How Rust reads the floats of a twin, and how either language writes its result.
 
 use lobe::filter::DiskKernel;
+use lobe::material::leadr::{Facet, Leadr, Node};
 use lobe::slope::Motion;
 use lobe::{
     Alphas, Eigen, Footprint, Kernel, Lobe, PixelFilter, Psd, Real, Roughness, SlopeMoments, Vertex,
@@ -57,6 +58,19 @@ impl<'a> Reader<'a> {
 
     pub(super) fn disk<R: Real>(&mut self) -> DiskKernel<R> {
         DiskKernel::from_covariance(self.kernel().covariance())
+    }
+
+    /// A matrix, rows first.
+    pub(super) fn matrix<R: Real>(&mut self) -> [[R; 2]; 2] {
+        [self.vec(), self.vec()]
+    }
+
+    pub(super) fn node<R: Real>(&mut self) -> Node<R> {
+        Node { place: self.vec(), weight: self.f(), extent: self.f() }
+    }
+
+    pub(super) fn leadr<R: Real>(&mut self) -> Leadr<R> {
+        Leadr::new(&self.lobe())
     }
 
     pub(super) fn filter(&mut self) -> PixelFilter {
@@ -151,6 +165,9 @@ flat! {
     Motion: "let h = r.half_vector; put(0u, h.x); put(1u, h.y); put(2u, h.z); put(3u, r.normal.x);
              put(4u, r.normal.y); put(5u, r.spin);",
         |x| x.half.into_iter().chain(x.normal).chain([x.spin]);
+    Facet: "put(0u, r.normal.x); put(1u, r.normal.y); put(2u, r.normal.z); put(3u, r.wi.x); put(4u, r.wi.y);
+            put(5u, r.wi.z); put(6u, r.cosine); put(7u, r.area); put(8u, r.solid_angle);",
+        |x| x.normal.into_iter().chain(x.wi).chain([x.cosine, x.area, x.solid_angle]);
     Vertex: "let w = r.direction; put(0u, w.x); put(1u, w.y); put(2u, w.z); put(3u, r.inverse_distance);",
         |x| x.direction.into_iter().chain([x.inverse_distance]);
 }

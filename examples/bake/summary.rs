@@ -1,0 +1,141 @@
+//! What was baked: as text for people, as JSON for programs.
+
+use super::options::Options;
+use lobe::material::lean::{Border, Clipped};
+use serde_json::json;
+use std::fs;
+use std::io::{ErrorKind, Write};
+use std::path::Path;
+use std::time::Duration;
+
+/// A baked map in numbers.
+pub(crate) struct Summary {
+    pub(crate) size: [usize; 2],
+    pub(crate) levels: usize,
+    pub(crate) border: Border,
+    pub(crate) cap: f32,
+    /// The largest component of a slope.
+    pub(crate) steepest: f32,
+    pub(crate) range: f32,
+    /// Of 16 bits and of f32.
+    pub(crate) floors: [f32; 2],
+    pub(crate) clipped: Clipped,
+    /// Of the chain in memory.
+    pub(crate) bytes: usize,
+    pub(crate) seconds: Seconds,
+}
+
+/// How long each stage took.
+pub(crate) struct Seconds {
+    pub(crate) decoding: Duration,
+    /// Texels to slopes.
+    pub(crate) converting: Duration,
+    /// Slopes to levels.
+    pub(crate) merging: Duration,
+    /// A plain copy of the slopes.
+    pub(crate) copying: Duration,
+    pub(crate) encoding: Duration,
+}
+
+impl Summary {
+    /// The description beside the files.
+    pub(crate) fn json(&self, input: &Path) -> String {
+        let levels: Vec<_> = (0..self.levels)
+            .map(|k| {
+                json!({
+                    "size": self.size.map(|n| (n >> k).max(1)),
+                    "mean": format!("mean.{k}.png"),
+                    "second": format!("second.{k}.png"),
+                    "raw": format!("moments.{k}.f32"),
+                })
+            })
+            .collect();
+        let description = json!({
+            "source": input.file_name().map(|name| name.to_string_lossy()),
+            "size": self.size,
+            "range": self.range,
+            "steepest": self.steepest,
+            "border": match self.border { Border::Wrap => "wrap", Border::Clamp => "clamp" },
+            "cap": self.cap,
+            "clipped": {
+                "texels": self.clipped.texels,
+                "of": self.clipped.of,
+                "fraction": self.clipped.fraction(),
+            },
+            "alpha_floor": { "unorm16": self.floors[0], "f32": self.floors[1] },
+            "decode": {
+                "slopes": "s = (dh/dx, dh/dy) = (-n.x / n.z, -n.y / n.z); rows from the top",
+                "mean": "16-bit RGB: red E[x], green E[y], each range * (code - 32768) / 32767; blue 0",
+                "second": "16-bit RGB: red E[xx], blue E[yy], each range^2 * code / 65535; \
+                    green E[xy] = range^2 * (code - 32768) / 32767",
+                "raw": "little-endian f32, five a texel: E[x], E[y], E[xx], E[xy], E[yy]",
+                "covariance": "second - mean mean^T; lobe::SlopeMoments::from_unorm and from_raw",
+            },
+            "levels": levels,
+        });
+        format!("{description:#}\n")
+    }
+
+    /// For a person.
+    fn text(&self, options: &Options) -> String {
+        let [width, height] = self.size;
+        let Seconds { decoding, converting, merging, copying, encoding } = self.seconds;
+        let baking = converting + merging;
+        let texels = (width * height) as f64;
+        let slopes = texels * size_of::<[f32; 2]>() as f64;
+        let ratio = |time: Duration| time.as_secs_f64() / copying.as_secs_f64().max(1e-9);
+        let text = format!(
+            "{}: {width} x {height}, {} levels, in {}\n\
+             range           slopes to {}, stored in [-{range}, {range}]\n\
+             clipped         {} of {} texels at {} ({:.4} %)\n\
+             alpha floor     {:.2e} in 16 bits, {:.2e} in f32\n\
+             decoding        {:8.3} s\n\
+             moments, mips   {:8.3} s, {:.1} megapixels/s (slopes {:.3} s, mips {:.3} s; {} threads)\n\
+             encoding        {:8.3} s\n\
+             plain copy      {:8.3} s: moments and mips take {:.1} times that, mips alone {:.1} times\n\
+             memory          the chain has {:.2} times the bytes of its slopes\n",
+            options.input.display(),
+            self.levels,
+            options.out.display(),
+            self.steepest,
+            self.clipped.texels,
+            self.clipped.of,
+            self.cap,
+            100.0 * self.clipped.fraction(),
+            self.floors[0],
+            self.floors[1],
+            decoding.as_secs_f64(),
+            baking.as_secs_f64(),
+            texels / baking.as_secs_f64().max(1e-9) * 1e-6,
+            converting.as_secs_f64(),
+            merging.as_secs_f64(),
+            options.threads(),
+            encoding.as_secs_f64(),
+            copying.as_secs_f64(),
+            ratio(baking),
+            ratio(merging),
+            self.bytes as f64 / slopes,
+            range = self.range,
+        );
+        match peak() {
+            Some(peak) => format!("{text}peak            {peak:.0} MiB\n"),
+            None => text,
+        }
+    }
+
+    pub(crate) fn print(&self, options: &Options) -> Result<(), String> {
+        match std::io::stdout().lock().write_all(self.text(options).as_bytes()) {
+            // A reader that has seen enough (`| head`) is no error.
+            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error.to_string()),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The most memory that this process has held, in MiB, where the system tells it.
+fn peak() -> Option<f64> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kibibytes: f64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(kibibytes / 1024.0)
+}

@@ -1,0 +1,121 @@
+//! Light from everywhere: a sum over the facets of a grid.
+//!
+//! Floor 4.
+
+use super::grid::Grid;
+use super::surface::{Facet, Leadr, Shadowing};
+use crate::material::Fresnel;
+use crate::scalar::Real;
+
+/// Light from everywhere: a function of direction and of the solid angle to average over, or a
+/// [`CubeMap`](super::CubeMap).
+///
+/// Functions `Fn([R; 3], R) -> [R; 3]` are lights. Directions are unit vectors of the surface's tangent frame.
+pub trait Light<R> {
+    /// Radiance from the direction `wi`, averaged over `solid_angle` around it, in three channels.
+    ///
+    /// WGSL: none, a caller's loop looks it up there.
+    fn radiance(&self, wi: [R; 3], solid_angle: R) -> [R; 3];
+}
+
+impl<R: Real, F: Fn([R; 3], R) -> [R; 3]> Light<R> for F {
+    #[inline]
+    fn radiance(&self, wi: [R; 3], solid_angle: R) -> [R; 3] {
+        self(wi, solid_angle)
+    }
+}
+
+/// What a sum over facets is divided by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Normalisation {
+    /// The projected area $\sigma(w_o)$ in closed form: without bias as the grid grows, and no sum to keep. A constant
+    /// light comes out as S/sigma, off by what the grid misses of the area ([`Grid::cells`](super::Grid::cells) has the
+    /// numbers).
+    ProjectedArea,
+    /// S, the sum of the facets' areas: the paper's. A constant light comes out as itself for any grid, also where no
+    /// facet of the grid is seen (by [`Leadr::artificial_facet`]): the choice for few nodes and for silhouettes.
+    Sum,
+}
+
+impl<R: Real> Leadr<R> {
+    /// Radiance towards `wo` under light from everywhere, mirrored by N x N facets, in three channels.
+    ///
+    /// $\frac{1}{\sigma_o} \sum_{j,k} W_j W_k \frac{\langle m, w_o\rangle}{m_z} F(\langle m, w_o\rangle)\,
+    /// \frac{G_2}{G_1}\, L(w_i)$ with $w_i$ the mirror direction about m; $G_2/G_1 = 1$ with masking alone. L is averaged
+    /// over the solid angle of each facet. `wo`: unit. Where no facet is seen: the artificial one, by
+    /// [`Normalisation::Sum`], or black.
+    ///
+    /// Source: Dupuy et al. 2013, Algorithm 1 and its simplified form.
+    ///
+    /// ```
+    /// use lobe::material::Fresnel;
+    /// use lobe::material::leadr::{Grid, Leadr, Normalisation, Shadowing};
+    /// use lobe::{Lobe, Roughness};
+    /// let surface = Leadr::new(&Lobe::centred(Roughness::from_sigma_rho(0.2_f32, 0.1, 0.0)?));
+    /// let sky = |wi: [f32; 3], _: f32| if wi[2] > 0.0 { [0.3, 0.5, 1.0] } else { [0.2, 0.1, 0.0] };
+    /// let [red, _, blue] = surface.environment(
+    ///     [0.6, 0.0, 0.8],
+    ///     &Grid::<f32, 5>::published(),
+    ///     Shadowing::MaskingOnly,
+    ///     Normalisation::Sum,
+    ///     &Fresnel::white(),
+    ///     &sky,
+    /// );
+    /// assert!((red - 0.3).abs() < 1e-3 && blue > 0.9);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: none, a loop over `lobe_leadr_facet` there, with the shader's own textures.
+    pub fn environment<const N: usize>(
+        &self,
+        wo: impl Into<[R; 3]>,
+        grid: &Grid<R, N>,
+        shadowing: Shadowing,
+        normalisation: Normalisation,
+        fresnel: &Fresnel<R>,
+        light: &impl Light<R>,
+    ) -> [R; 3] {
+        let wo = wo.into();
+        self.mean_over_facets(wo, grid, normalisation, |facet| {
+            let reaching = match shadowing {
+                Shadowing::Both => self.light_reaching(wo, facet.wi),
+                Shadowing::MaskingOnly => R::ONE,
+            };
+            let radiance = light.radiance(facet.wi, facet.solid_angle);
+            let reflected = fresnel.reflectance(facet.cosine);
+            [0, 1, 2].map(|k: usize| reaching * reflected[k] * radiance[k])
+        })
+    }
+
+    /// The mean of `shade` over the facets that `wo` sees, by the areas they show.
+    pub(super) fn mean_over_facets<const N: usize>(
+        &self,
+        wo: [R; 3],
+        grid: &Grid<R, N>,
+        normalisation: Normalisation,
+        shade: impl Fn(&Facet<R>) -> [R; 3],
+    ) -> [R; 3] {
+        let (mut sum, mut total) = ([R::ZERO; 3], R::ZERO);
+        let mut add = |facet: &Facet<R>| {
+            if facet.area > R::ZERO {
+                let shaded = shade(facet);
+                sum = [0, 1, 2].map(|k: usize| sum[k] + facet.area * shaded[k]);
+                total = total + facet.area;
+            }
+        };
+        for j in 0..N {
+            for k in 0..N {
+                add(&self.facet(wo, grid.node(j, k)));
+            }
+        }
+        let divisor = match normalisation {
+            Normalisation::ProjectedArea => self.ndf().projected_area(wo),
+            Normalisation::Sum => {
+                add(&self.artificial_facet(wo));
+                total
+            }
+        };
+        let inverse = if divisor > R::ZERO { R::ONE / divisor } else { R::ZERO };
+        sum.map(|x| (x * inverse).min(R::MAX))
+    }
+}

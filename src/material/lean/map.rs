@@ -1,0 +1,234 @@
+//! A map's mip chain of means and covariances.
+//!
+//! Floor 4.
+
+use super::level::{Finer, Stored, halved, loaded};
+use super::texel::{Clipped, NormalTexel, SlopeCap};
+use crate::error::Error;
+use crate::scalar::{Psd, Real};
+use crate::slope::SlopeMoments;
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// What lies beyond a map's edges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Border {
+    /// The map again.
+    Wrap,
+    /// Its outermost texels.
+    Clamp,
+}
+
+/// A slope map with its mip chain: level 0 are the slopes, each further level their means and covariances.
+///
+/// A side of n texels has n/2 on the next level, rounded down and at least 1, as on a GPU, each the box of its exact
+/// extent: of odd sides three texels in part. Level n is the merge of its texels on level n - 1, and the last one, of
+/// one texel, that of the whole map. Positive semi-definite by construction. A covariance errs by what rounding moves its
+/// texels' means: relative to it about $2^{-23} |\mu| / \sigma$ in f32, 1 % at a deviation of 1e-5 of the mean (less where
+/// many texels' errors average out), where raw moments err by the square of that quotient, and have lost it at 4e-4.
+///
+/// Memory: two numbers a texel of the map and six of each level above it, in all twice the map's slopes.
+///
+/// ```
+/// use lobe::material::lean::{Border, MomentMap, SlopeCap};
+/// use lobe::Roughness;
+///
+/// // A 2 x 2 normal map: a groove along y.
+/// let texels = [[219_u8, 128, 219], [37, 128, 219], [219, 128, 219], [37, 128, 219]];
+/// let (map, clipped) =
+///     MomentMap::from_normals([2, 2], &texels, SlopeCap::new(10.0_f32)?, Border::Wrap)?;
+/// assert_eq!((map.levels(), clipped.fraction()), (2, 0.0));
+/// let whole = map.texel(1, 0, 0);
+/// assert!(whole.mean()[0].abs() < 0.01 && (whole.covariance().entries()[0] - 1.0).abs() < 0.02);
+/// // From far away: a brushed lobe.
+/// let lobe = whole.lobe(Roughness::from_alpha(0.1)?);
+/// assert!(lobe.roughness().alphas().x > 10.0 * lobe.roughness().alphas().y);
+/// # Ok::<(), lobe::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct MomentMap<R> {
+    size: [usize; 2],
+    border: Border,
+    slopes: Vec<[R; 2]>,
+    levels: Vec<Vec<Stored<R>>>,
+}
+
+impl<R: Real> MomentMap<R> {
+    /// The chain over a map of slopes, by rows.
+    ///
+    /// # Errors
+    /// [`Error::MapSize`] unless the slopes are as many as the size says, and more than none; [`Error::Mean`] if one is
+    /// beyond $10^9$ or NaN.
+    ///
+    /// WGSL: none, maps are built on the CPU.
+    pub fn from_slopes(
+        size: [usize; 2],
+        slopes: Vec<[R; 2]>,
+        border: Border,
+    ) -> Result<Self, Error> {
+        Self::built(size, slopes, border, |finer, size, first, out| {
+            finer.merge_rows(size, first, out);
+        })
+    }
+
+    /// The same with the rows of each level dealt to `workers` threads (feature `std`): the result is the same to the
+    /// bit for any number of them; 0 counts as 1.
+    ///
+    /// # Errors
+    /// As [`MomentMap::from_slopes`].
+    ///
+    /// ```
+    /// use lobe::material::lean::{Border, MomentMap};
+    /// let slopes: Vec<[f32; 2]> = (0..64).map(|k| [(k % 7) as f32, (k % 5) as f32]).collect();
+    /// let two = MomentMap::from_slopes_by([8, 8], slopes.clone(), Border::Wrap, 2)?;
+    /// assert_eq!(two, MomentMap::from_slopes([8, 8], slopes, Border::Wrap)?);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: none, maps are built on the CPU.
+    #[cfg(feature = "std")]
+    pub fn from_slopes_by(
+        size: [usize; 2],
+        slopes: Vec<[R; 2]>,
+        border: Border,
+        workers: usize,
+    ) -> Result<Self, Error> {
+        // A thread costs more than a few thousand merges.
+        const LEAST: usize = 1 << 14;
+        Self::built(size, slopes, border, |finer, size, first, out| {
+            let [columns, rows] = halved(size);
+            let workers = workers.min(out.len() / LEAST).max(1);
+            let band = rows.div_ceil(workers);
+            if workers == 1 {
+                return finer.merge_rows(size, first, out);
+            }
+            std::thread::scope(|scope| {
+                for (k, out) in out.chunks_mut(band * columns).enumerate() {
+                    scope.spawn(move || finer.merge_rows(size, first + k * band, out));
+                }
+            });
+        })
+    }
+
+    /// The chain over a normal map's texels, by rows, and how many of them the cap touched.
+    ///
+    /// # Errors
+    /// As [`MomentMap::from_slopes`].
+    ///
+    /// WGSL: none, maps are built on the CPU.
+    pub fn from_normals<T: NormalTexel>(
+        size: [usize; 2],
+        texels: &[T],
+        cap: SlopeCap<R>,
+        border: Border,
+    ) -> Result<(Self, Clipped), Error> {
+        let mut slopes = vec![[R::ZERO; 2]; texels.len()];
+        let clipped = cap.slopes(texels, &mut slopes)?;
+        Ok((Self::from_slopes(size, slopes, border)?, clipped))
+    }
+
+    fn built(
+        size: [usize; 2],
+        slopes: Vec<[R; 2]>,
+        border: Border,
+        merge: impl Fn(&Finer<'_, R>, [usize; 2], usize, &mut [Stored<R>]),
+    ) -> Result<Self, Error> {
+        if slopes.is_empty() || size[0].checked_mul(size[1]) != Some(slopes.len()) {
+            return Err(Error::MapSize);
+        }
+        if !slopes.iter().all(|s| s[0].is_slope() && s[1].is_slope()) {
+            return Err(Error::Mean);
+        }
+        let mut levels: Vec<Vec<Stored<R>>> = Vec::new();
+        let mut finer = size;
+        while finer != [1, 1] {
+            let [width, height] = halved(finer);
+            let mut level = vec![[R::ZERO; 6]; width * height];
+            let source = match levels.last() {
+                None => Finer::Slopes(&slopes),
+                Some(moments) => Finer::Moments(moments),
+            };
+            merge(&source, finer, 0, &mut level);
+            levels.push(level);
+            finer = [width, height];
+        }
+        Ok(Self { size, border, slopes, levels })
+    }
+
+    /// How many levels there are, the map itself included.
+    ///
+    /// WGSL: none, a builtin there.
+    pub fn levels(&self) -> usize {
+        1 + self.levels.len()
+    }
+
+    /// Width and height of a level; of levels beyond the last, the last one's.
+    ///
+    /// WGSL: none, a builtin there.
+    pub fn size(&self, level: usize) -> [usize; 2] {
+        let level = level.min(self.levels.len());
+        self.size.map(|n| (n >> level).max(1))
+    }
+
+    /// What lies beyond the edges.
+    ///
+    /// WGSL: none, a sampler's there.
+    pub fn border(&self) -> Border {
+        self.border
+    }
+
+    /// The map itself, by rows: the slopes of level 0.
+    ///
+    /// WGSL: none, a texture there.
+    pub fn slopes(&self) -> &[[R; 2]] {
+        &self.slopes
+    }
+
+    /// The moments of a texel; level, column and row beyond the last count as the last.
+    ///
+    /// WGSL: none, a texture there.
+    #[inline]
+    pub fn texel(&self, level: usize, column: usize, row: usize) -> SlopeMoments<R> {
+        let level = level.min(self.levels.len());
+        let [width, height] = self.size(level);
+        let place = row.min(height - 1) * width + column.min(width - 1);
+        match level {
+            0 => SlopeMoments::unchecked(self.slopes[place], Psd::zero()),
+            level => loaded(&self.levels[level - 1][place]),
+        }
+    }
+
+    /// The moments of a level's texels, by rows: what a [`Storage`](super::Storage) encodes.
+    ///
+    /// ```
+    /// use lobe::material::lean::{Border, MomentMap, Storage, Unorm16};
+    /// let map = MomentMap::from_slopes([2, 1], vec![[0.0_f32, 0.0], [1.0, 0.0]], Border::Clamp)?;
+    /// let layout = Unorm16::new(map.range())?;
+    /// let level: Vec<[u16; 5]> = map.level(1).map(|moments| layout.encode(&moments)).collect();
+    /// assert_eq!(level.len(), 1);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: none, a texture there.
+    pub fn level(&self, level: usize) -> impl Iterator<Item = SlopeMoments<R>> + '_ {
+        let [width, height] = self.size(level);
+        (0..width * height).map(move |place| self.texel(level, place % width, place / width))
+    }
+
+    /// The largest magnitude of a slope's component: what a stored range must hold.
+    ///
+    /// One steep texel sets it, and with it the alpha floor of all: a lower cap may lose less.
+    ///
+    /// WGSL: none, maps are built on the CPU.
+    pub fn range(&self) -> R {
+        self.slopes.iter().flatten().fold(R::ZERO, |most, x| x.abs().max(most))
+    }
+
+    /// Bytes of the slopes and of all levels.
+    ///
+    /// WGSL: none, maps are built on the CPU.
+    pub fn bytes(&self) -> usize {
+        core::mem::size_of_val(&self.slopes[..])
+            + self.levels.iter().map(|level| core::mem::size_of_val(&level[..])).sum::<usize>()
+    }
+}

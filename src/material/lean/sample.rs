@@ -1,0 +1,192 @@
+//! Moments between texels: bilinear, trilinear, and along a footprint.
+//!
+//! Floor 4. Interpolating covariances alone forgets that the texels' means differ; a merge by weights does not. This is
+//! what linear filtering of raw moments gives, without their cancellation.
+
+use super::map::{Border, MomentMap};
+use crate::scalar::{Psd, Real};
+use crate::slope::SlopeMoments;
+
+/// 1/sqrt 3.
+const INVERSE_ROOT_THREE: f64 = 0.577_350_269_189_625_8;
+
+impl<R: Real> MomentMap<R> {
+    /// Moments at `uv` of a level: the four texels around, merged by bilinear weights, between-texel term included.
+    ///
+    /// Texel (i, j) has its centre at ((i + 1/2) / width, (j + 1/2) / height). Coordinates beyond $10^9$ texels and NaN
+    /// count as 0.
+    ///
+    /// ```
+    /// use lobe::material::lean::{Border, MomentMap};
+    /// let map = MomentMap::from_slopes([2, 1], vec![[0.0_f64, 0.0], [1.0, 0.0]], Border::Clamp)?;
+    /// let between = map.bilinear(0, [0.5, 0.5]);
+    /// assert_eq!(between.mean(), [0.5, 0.0]);
+    /// assert_eq!(between.covariance().entries()[0], 0.25);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: none, a sampler interpolates raw moments there: `lobe_slope_moments_from_raw`.
+    pub fn bilinear(&self, level: usize, uv: impl Into<[R; 2]>) -> SlopeMoments<R> {
+        let (texels, shares) = self.corners(level, uv.into());
+        gathered(&texels, &shares)
+    }
+
+    /// Moments at `uv` between levels: [`MomentMap::bilinear`] on the two around `lod`, merged by its fraction.
+    ///
+    /// `lod` 0 is the map, 1 the level of half its size; it is kept between the first and the last level, NaN counts as 0.
+    ///
+    /// ```
+    /// use lobe::material::lean::{Border, MomentMap};
+    /// let map = MomentMap::from_slopes([2, 1], vec![[0.0_f64, 0.0], [1.0, 0.0]], Border::Wrap)?;
+    /// assert_eq!(map.trilinear([0.25, 0.5], -3.0).mean(), [0.0, 0.0]);
+    /// assert_eq!(map.trilinear([0.25, 0.5], 0.5).mean(), [0.25, 0.0]);
+    /// assert_eq!(map.trilinear([0.25, 0.5], 9.0).mean(), [0.5, 0.0]);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: none, a sampler does it there.
+    pub fn trilinear(&self, uv: impl Into<[R; 2]>, lod: R) -> SlopeMoments<R> {
+        let uv = uv.into();
+        let last = R::lit((self.levels() - 1) as f64);
+        let (level, fraction) = floor(lod.max(R::ZERO).min(last));
+        let level = usize::try_from(level).unwrap_or_default();
+        let (fine, near) = self.corners(level, uv);
+        if fraction == R::ZERO {
+            return gathered(&fine, &near);
+        }
+        let (coarse, far) = self.corners(level + 1, uv);
+        let (near, far) = (near.map(|w| w * (R::ONE - fraction)), far.map(|w| w * fraction));
+        gathered::<R, 8>(
+            &core::array::from_fn(|k| if k < 4 { fine[k] } else { coarse[k - 4] }),
+            &core::array::from_fn(|k| if k < 4 { near[k] } else { far[k - 4] }),
+        )
+    }
+
+    /// Moments of a footprint: its centre and the steps `du`, `dv` of its sides in uv, a pixel apart.
+    ///
+    /// Trilinear probes along the longer side, `most` (1 or more) and one at the most, all merged, so what lies between
+    /// them counts. They are as wide as the shorter side and not wider: a bilinear lookup has, in the mean over its
+    /// phases, three times the variance of a texel, so texels are $1/\sqrt 3$ as wide as a probe; and the probes'
+    /// places have the variance that is left of the longer side's. On an even slope the whole has that of the
+    /// footprint, at any aspect, where hardware's filter has three to four times as much. Sides below
+    /// $\sqrt 3$ texels are as wide as a lookup of the finest level.
+    ///
+    /// ```
+    /// use lobe::material::lean::{Border, MomentMap};
+    /// let slopes = (0..64).map(|k| [if k % 8 < 4 { 1.0_f64 } else { 0.0 }, 0.0]).collect();
+    /// let map = MomentMap::from_slopes([8, 8], slopes, Border::Wrap)?;
+    /// // Long across the step, and long along it.
+    /// let across = map.anisotropic([0.5, 0.5], [1.0, 0.0], [0.0, 0.125], 8);
+    /// let along = map.anisotropic([0.25, 0.5], [0.125, 0.0], [0.0, 1.0], 8);
+    /// assert!(across.covariance().trace() > 0.2 && along.covariance().trace() < 0.01);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: none, a sampler does it there.
+    pub fn anisotropic(
+        &self,
+        uv: impl Into<[R; 2]>,
+        du: [R; 2],
+        dv: [R; 2],
+        most: usize,
+    ) -> SlopeMoments<R> {
+        let [u, v] = uv.into();
+        let [width, height] = self.size(0).map(|n| R::lit(n as f64));
+        let texels = |d: [R; 2]| {
+            let (x, y) = (d[0] * width, d[1] * height);
+            (x * x + y * y).sqrt().min(R::LARGEST)
+        };
+        let (a, b) = (texels(du), texels(dv));
+        let (long, short, side) = if a >= b { (a, b, du) } else { (b, a, dv) };
+        let most = R::lit(most.max(1) as f64);
+        // A probe's side, and of the longer side what places have to make up for.
+        let probe = short.max(long / most);
+        let spread = ((long - probe) * (long + probe)).max(R::ZERO).sqrt();
+        let (whole, rest) = floor((spread / probe.max(R::MIN_POSITIVE)).min(most));
+        let count = 1 + whole + i64::from(rest > R::ZERO);
+        let lod = (probe * R::lit(INVERSE_ROOT_THREE)).max(R::ONE).ln() / R::TWO.ln();
+        // Places n - 1 distances apart have the variance (n^2 - 1)/12 of one.
+        let n = R::lit(count as f64);
+        let reach = spread / (long * ((n - R::ONE) * (n + R::ONE)).sqrt()).max(R::MIN_POSITIVE);
+        let at = |k: i64| {
+            let t = (R::lit(k as f64) - R::HALF * (n - R::ONE)) * reach;
+            self.trilinear([u + t * side[0], v + t * side[1]], lod)
+        };
+        (1..count).fold(at(0), |sum, k| {
+            let share = R::ONE / R::lit((k + 1) as f64);
+            sum.shared(R::ONE - share, &at(k), share)
+        })
+    }
+
+    /// The four texels around a point of a level, and their bilinear shares.
+    #[inline]
+    fn corners(&self, level: usize, [u, v]: [R; 2]) -> ([SlopeMoments<R>; 4], [R; 4]) {
+        let [width, height] = self.size(level);
+        let ([left, right], x) = self.around(u, width);
+        let ([above, below], y) = self.around(v, height);
+        let texel = |column, row| self.texel(level, column, row);
+        let (p, q) = (R::ONE - x, R::ONE - y);
+        (
+            [texel(left, above), texel(right, above), texel(left, below), texel(right, below)],
+            [p * q, x * q, p * y, x * y],
+        )
+    }
+
+    /// The two texels around a coordinate along one axis, and the share of the second.
+    #[inline]
+    fn around(&self, u: R, count: usize) -> ([usize; 2], R) {
+        let x = u * R::lit(count as f64);
+        let x = if x.abs() <= R::LARGEST { x } else { R::ZERO };
+        let (first, fraction) = floor(x - R::HALF);
+        let count = i64::try_from(count).unwrap_or(i64::MAX);
+        let (first, second) = match self.border() {
+            Border::Wrap => {
+                let first =
+                    if (0..count).contains(&first) { first } else { first.rem_euclid(count) };
+                (first, if first + 1 == count { 0 } else { first + 1 })
+            }
+            Border::Clamp => (first.clamp(0, count - 1), (first + 1).clamp(0, count - 1)),
+        };
+        ([first, second].map(|k| usize::try_from(k).unwrap_or_default()), fraction)
+    }
+}
+
+/// Moments merged by shares, not negative and with sum 1.
+///
+/// Two passes: the mean first, then all differences from it, so nothing cancels. The entries' own determinant is good to
+/// the rounding of their product; where that says nothing, Minkowski's bound does: the root of a sum's determinant is
+/// at least the sum of the roots.
+#[inline]
+fn gathered<R: Real, const N: usize>(
+    moments: &[SlopeMoments<R>; N],
+    shares: &[R; N],
+) -> SlopeMoments<R> {
+    let origin = moments[0].mean();
+    let (mut x, mut y) = (R::ZERO, R::ZERO);
+    for (patch, &share) in moments.iter().zip(shares) {
+        let [p, q] = patch.mean();
+        x = x + share * (p - origin[0]);
+        y = y + share * (q - origin[1]);
+    }
+    let mean = [origin[0] + x, origin[1] + y];
+    let (mut entries, mut least) = ([R::ZERO; 3], R::ZERO);
+    for (patch, &share) in moments.iter().zip(shares) {
+        let ([p, q], [xx, xy, yy]) = (patch.mean(), patch.covariance().entries());
+        let (p, q) = (p - mean[0], q - mean[1]);
+        entries[0] = entries[0] + share * (xx + p * p);
+        entries[1] = entries[1] + share * (xy + p * q);
+        entries[2] = entries[2] + share * (yy + q * q);
+        least = least + share * patch.covariance().root_det();
+    }
+    let own = Psd::from_entries(entries[0], entries[1], entries[2]);
+    let covariance = Psd::with_root_det(entries, own.root_det().max(least));
+    SlopeMoments::unchecked(mean, covariance)
+}
+
+/// The next whole number from below, and what is left, in [0, 1). For magnitudes of up to about $10^9$.
+fn floor<R: Real>(x: R) -> (i64, R) {
+    // `as` towards zero; of negative fractions that is one too many.
+    let towards_zero = x.to_f64() as i64;
+    let whole = towards_zero - i64::from(R::lit(towards_zero as f64) > x);
+    (whole, x - R::lit(whole as f64))
+}
