@@ -3,8 +3,8 @@
 //! `cargo run --release -p lobe-report -- --help`. The way of the data: a `scene` gives samples, a
 //! `method` shades them, `reference` is what they should have given, `metric` and `timing` put numbers
 //! on both, `study` collects a scene's, `sequence` those of a scene in motion, `page` shows them. `kernels`
-//! judges filters of GGX without any scene. [`shot`] gives two of the scenes to other renderers, as plain
-//! numbers.
+//! judges filters of GGX without any scene, `minify` those of normal maps, with a renderer of its own, `relief`
+//! LEADR's grids against rays. [`shot`] gives two of the scenes to other renderers, as plain numbers.
 
 mod camera;
 mod coverage;
@@ -15,6 +15,7 @@ mod kernels;
 mod light;
 mod method;
 mod metric;
+mod minify;
 mod options;
 mod output;
 mod overlap;
@@ -22,6 +23,7 @@ mod page;
 mod pattern;
 mod program;
 mod reference;
+mod relief;
 mod render;
 mod scalar;
 mod scene;

@@ -6,8 +6,11 @@ use std::path::PathBuf;
 use clap::error::ErrorKind;
 use clap::{Parser, ValueEnum};
 
+use crate::camera::Size;
 use crate::light::LightKind;
+use crate::minify;
 use crate::reference::Sampling;
+use crate::relief;
 use crate::sequence::Plan;
 use crate::study::{Effort, QUICK_SAMPLES, QUICK_WIDTH};
 
@@ -42,12 +45,13 @@ pub(crate) struct Options {
     pub(crate) light: Option<Lights>,
 
     /// A tangent-space normal map (PNG, RGB or RGBA, 8 or 16 bits, +y up) to show on the plane and on
-    /// the sphere (scenes `plane` and `mapped-sphere`) instead of the four that the program carries.
+    /// the sphere (scenes `plane`, `mapped-sphere` and `minified`) instead of the four that the program carries.
     #[arg(long, value_name = "FILE")]
     pub(crate) normal_map: Option<PathBuf>,
 
     /// Roughness of the material, from 0.0001 to 1: this one only. Brushed scenes have five times as
-    /// much across their grooves. [default: 0.01, 0.05 and 0.3, with --quick the first two]
+    /// much across their grooves. [default: 0.01, 0.05 and 0.3, with --quick the first two; of minified
+    /// maps 0.05 and 0.2, with --quick the first]
     ///
     /// Below about 0.001 the reference may need more samples than it takes; the report says so.
     #[arg(long, value_name = "A", value_parser = alpha, allow_negative_numbers = true)]
@@ -79,10 +83,14 @@ pub(crate) enum Scenes {
     Plane,
     /// A ball with normal maps.
     MappedSphere,
+    /// A sphere of relief for LEADR, with roughnesses and lights of its own.
+    Relief,
     /// Thin strips at grazing angles.
     Strip,
     /// A brushed disc with grooves.
     Disc,
+    /// Normal maps on a plane, many texels to a pixel, and a zoom.
+    Minified,
     /// All of them; with --quick one normal map only.
     All,
 }
@@ -122,7 +130,8 @@ impl Options {
             }
             Err(error) => return Err(Mistake(first_paragraph(&error.to_string()))),
         };
-        let mapped = [Scenes::Plane, Scenes::MappedSphere, Scenes::All].contains(&options.scene);
+        let mapped = [Scenes::Plane, Scenes::MappedSphere, Scenes::Minified, Scenes::All]
+            .contains(&options.scene);
         if options.normal_map.is_some() && !mapped {
             let name = options.scene.to_possible_value();
             let name = name.as_ref().map_or("", |name| name.get_name());
@@ -149,6 +158,24 @@ impl Options {
         }
     }
 
+    /// How maps are minified: under the first light, in pictures no wider than asked for.
+    pub(crate) fn minification(&self) -> minify::Plan {
+        let (width, alphas, fewest, rounds, frames) =
+            if self.quick { (48, 1, 16, 15, 16) } else { (80, 2, 32, 41, 60) };
+        minify::Plan {
+            size: Size::of_width(self.size.map_or(width, |asked| asked.min(width))),
+            alphas: self.alpha.map_or(MAPPED_ALPHAS[..alphas].into(), |alpha| vec![alpha]),
+            light: self.first_light(),
+            fewest,
+            rounds,
+            frames,
+        }
+    }
+
+    fn first_light(&self) -> LightKind {
+        if self.light == Some(Lights::Point) { LightKind::Point } else { LightKind::Distant }
+    }
+
     /// How sequences are taken: under the first light, at the smallest alpha, in pictures no wider than asked for.
     pub(crate) fn plan(&self) -> Plan {
         let (width, frames) = if self.quick { (96, 16) } else { (144, 60) };
@@ -157,15 +184,22 @@ impl Options {
             frames,
             step: STEP,
             sampling: Sampling::of_frame(128),
-            light: if self.light == Some(Lights::Point) {
-                LightKind::Point
-            } else {
-                LightKind::Distant
-            },
+            light: self.first_light(),
             alpha: self.alpha.unwrap_or(ALPHAS[0]),
         }
     }
+
+    /// How relief is measured, if it is asked for: in pictures no wider than asked for, of an even number of pixels.
+    pub(crate) fn relief(&self) -> Option<relief::Plan> {
+        let plan = if self.quick { relief::Plan::quick() } else { relief::Plan::full() };
+        let side = self.size.map_or(plan.side, |asked| (asked & !1).min(plan.side));
+        self.scene.include(Scenes::Relief).then_some(relief::Plan { side, ..plan })
+    }
 }
+
+/// Roughnesses of minified maps: narrower lobes than the first would show the steps of 8 bits. A quick run takes the
+/// first one.
+const MAPPED_ALPHAS: [f64; 2] = [0.05, 0.2];
 
 /// Pixels from frame to frame of a sequence, in its middle: small, and no simple part of a pixel, so that
 /// glints meet pixels at every phase.

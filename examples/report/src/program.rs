@@ -10,9 +10,11 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::camera::Size;
 use crate::kernels::Kernels;
 use crate::method;
+use crate::minify::Minified;
 use crate::options::{Mistake, Options, Scenes};
 use crate::output::{self, Output};
 use crate::page::{self, Report};
+use crate::relief::{self, Relief};
 use crate::scene::{Movement, NormalMap, Subject, carried_maps, restless_map};
 use crate::sequence::{Plan, Sequence};
 use crate::sizes::Sizes;
@@ -37,12 +39,19 @@ fn report(options: &Options) -> Result<(), Mistake> {
     let maps = maps(options)?;
     let subjects = subjects(options, size, &maps);
     let plan = options.plan();
+    let minification = options.minification();
+    let minified = if options.scene.include(Scenes::Minified) { maps.as_slice() } else { &[] };
     let moving = moving(options, Size::of_width(plan.width), &maps)?;
     let output = Output::prepare(&options.out)?;
 
     let methods = method::all();
     let steps = subjects.len() as u64 * study::steps(size, methods.len(), &effort);
-    let bar = ProgressBar::new(steps + moving.len() as u64 * plan.steps());
+    let relief = options.relief();
+    let steps = steps
+        + moving.len() as u64 * plan.steps()
+        + minified.len() as u64 * minification.steps()
+        + relief.as_ref().map_or(0, relief::Plan::steps);
+    let bar = ProgressBar::new(steps);
     if let Ok(style) = ProgressStyle::with_template("{msg:24} {wide_bar} {percent:>3} %  {eta}") {
         bar.set_style(style);
     }
@@ -64,7 +73,20 @@ fn report(options: &Options) -> Result<(), Mistake> {
         bar.suspend(|| print(&page::sequence_text(&sequence)));
         report.sequences.push(sequence);
     }
+    for map in minified {
+        bar.set_message(format!("{}, minified", map.name));
+        let minified = Minified::run(map, &minification, &|steps| bar.inc(steps))
+            .map_err(|error| Mistake(format!("--alpha: {error}")))?;
+        bar.suspend(|| print(&page::minified_text(&minified)));
+        report.minified.push(minified);
+    }
+    if let Some(plan) = relief {
+        bar.set_message("relief");
+        let relief = Relief::measured(&plan, &|| bar.inc(1));
+        report.relief = Some(relief.map_err(|error| Mistake(format!("relief: {error}")))?);
+    }
     bar.finish_and_clear();
+    print(&report.relief_text());
     print(&report.kernels_text());
     print(&report.sizes_text());
     print(&report.advice_text());
@@ -88,7 +110,9 @@ fn print(text: &str) {
 fn maps(options: &Options) -> Result<Vec<NormalMap>, Mistake> {
     let asked = |scene: Scenes| options.scene.include(scene);
     match &options.normal_map {
-        _ if !asked(Scenes::Plane) && !asked(Scenes::MappedSphere) => Ok(Vec::new()),
+        _ if ![Scenes::Plane, Scenes::MappedSphere, Scenes::Minified].into_iter().any(asked) => {
+            Ok(Vec::new())
+        }
         Some(path) => Ok(vec![normal_map(path)?]),
         None => carried_maps(!options.quick).map_err(Mistake),
     }

@@ -107,6 +107,11 @@ impl Texture {
         (rows.map(|row| columns.map(|column| texel(column, row))), [fx, fy])
     }
 
+    /// Unit normals, rows from the top.
+    pub(crate) fn normals(&self) -> &[[f32; 3]] {
+        &self.normals
+    }
+
     /// Width and height in texels.
     pub(crate) fn size(&self) -> [i32; 2] {
         [self.width, self.height]

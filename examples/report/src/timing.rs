@@ -108,7 +108,26 @@ pub(crate) fn measure(
     Timing { geometry, motion: (in_motion - geometry).max(0.0), shading }
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
+/// Medians of nanoseconds of tasks that take turns, each round beginning with another one.
+pub(crate) fn in_turns(tasks: &mut [Box<dyn FnMut() + '_>], rounds: usize) -> Vec<f64> {
+    let count = tasks.len();
+    let mut times = vec![Vec::with_capacity(rounds); count];
+    for round in 0..=rounds {
+        for turn in 0..count {
+            let task = (round + turn) % count;
+            let start = Instant::now();
+            tasks[task]();
+            let nanoseconds = start.elapsed().as_secs_f64() * 1e9;
+            if round > 0 {
+                times[task].push(nanoseconds);
+            }
+        }
+    }
+    times.into_iter().map(median).collect()
+}
+
+/// The middle one, or the mean of the middle two.
+pub(crate) fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     match values.len() {
         0 => 0.0,

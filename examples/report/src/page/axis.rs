@@ -7,20 +7,22 @@ use super::table::significant;
 pub(super) enum Scale {
     Linear,
     Logarithmic,
+    /// The same with powers of two at the ticks.
+    Binary,
 }
 
 impl Scale {
     fn forward(self, value: f64) -> f64 {
         match self {
             Self::Linear => value,
-            Self::Logarithmic => value.ln(),
+            Self::Logarithmic | Self::Binary => value.ln(),
         }
     }
 
     fn back(self, x: f64) -> f64 {
         match self {
             Self::Linear => x,
-            Self::Logarithmic => x.exp(),
+            Self::Logarithmic | Self::Binary => x.exp(),
         }
     }
 }
@@ -65,6 +67,7 @@ impl Axis {
         match self.scale {
             Scale::Linear => self.multiples(),
             Scale::Logarithmic => self.powers(),
+            Scale::Binary => self.doublings(),
         }
     }
 
@@ -75,6 +78,11 @@ impl Axis {
         let last = self.high.log10().ceil() as i32;
         let all = (first..=last).flat_map(|p| steps.iter().map(move |s| s * 10.0_f64.powi(p)));
         all.filter(|tick| (self.low..=self.high).contains(tick)).collect()
+    }
+
+    fn doublings(&self) -> Vec<f64> {
+        let (first, last) = (self.low.log2().ceil() as i32, self.high.log2().floor() as i32);
+        (first..=last).map(|power| 2.0_f64.powi(power)).collect()
     }
 
     fn multiples(&self) -> Vec<f64> {
@@ -133,6 +141,13 @@ mod tests {
         assert!((axis.at(100.0) - 200.0).abs() < 1e-9);
         assert!((axis.low - 1.0).abs() < 1e-9 && (axis.high - 1e4).abs() < 1e-6);
         assert!(axis.ticks().contains(&100.0));
+    }
+
+    #[test]
+    fn binary_axes_have_powers_of_two_at_both_ends() {
+        let axis = Axis::between(Scale::Binary, [0.5, 8.0], [0.0, 100.0]);
+        assert_eq!(axis.ticks(), [0.5, 1.0, 2.0, 4.0, 8.0]);
+        assert!((axis.at(2.0) - 50.0).abs() < 1e-9);
     }
 
     #[test]

@@ -132,6 +132,7 @@ impl Chart {
 fn label(tick: f64, range: &Range) -> String {
     let number = match range.scale {
         Scale::Logarithmic => plain(tick),
+        Scale::Binary => tick.to_string(),
         // Ticks are multiples of a rounded step: six decimals are right, and mostly zeros.
         Scale::Linear => {
             let digits = format!("{tick:.6}").replace('-', "\u{2212}");

@@ -6,19 +6,25 @@ mod gallery;
 mod grid;
 mod kernels;
 mod measure;
+mod minify;
 mod overall;
 mod picture;
 mod plot;
 mod proxy;
+mod relief;
 mod section;
 mod sequence;
 mod sizes;
+mod spheres;
 mod table;
+mod zoom;
 
 use serde::Serialize;
 
 use crate::kernels::Kernels;
 use crate::method::{Distribution, Method};
+use crate::minify::Minified;
+use crate::relief::Relief;
 use crate::sequence::Sequence;
 use crate::sizes::Sizes;
 use crate::standing::{Advice, Standing, advice, standings};
@@ -28,6 +34,7 @@ use section::{equal_samples, equal_time};
 use table::{Line, Table, significant};
 
 pub(crate) use gallery::Cover;
+pub(crate) use minify::text as minified_text;
 pub(crate) use picture::Tone;
 pub(crate) use section::text;
 pub(crate) use sequence::text as sequence_text;
@@ -40,6 +47,8 @@ pub(crate) struct Report {
     sizes: Sizes,
     pub(crate) studies: Vec<Study>,
     pub(crate) sequences: Vec<Sequence>,
+    pub(crate) relief: Option<Relief>,
+    pub(crate) minified: Vec<Minified>,
 }
 
 impl Report {
@@ -51,12 +60,19 @@ impl Report {
             sizes,
             studies: Vec::new(),
             sequences: Vec::new(),
+            relief: None,
+            minified: Vec::new(),
         }
     }
 
     /// The filters without a renderer, as text.
     pub(crate) fn kernels_text(&self) -> String {
         kernels::text(&self.kernels)
+    }
+
+    /// LEADR against rays, as text; empty if it was not asked for.
+    pub(crate) fn relief_text(&self) -> String {
+        self.relief.as_ref().map(relief::text).unwrap_or_default()
     }
 
     /// The shaders' sizes, as text.
@@ -130,7 +146,9 @@ impl Report {
             standings: self.standings(),
             studies: &self.studies,
             sequences: &self.sequences,
+            minified: &self.minified,
             kernels: &self.kernels,
+            relief: self.relief.as_ref(),
             shaders: &self.sizes,
         };
         serde_json::to_vec_pretty(&data).map_err(|error| format!("report.json: {error}"))
@@ -148,12 +166,14 @@ impl Report {
              <p class=\"lead\">Specular filters at one sample per pixel against plain supersampling, \
              plots at alpha = {}. The large number is how much longer supersampling takes to reach the best \
              filter\u{2019}s error.</p>\n\
-             {front}{}{back}{}{}{}{}{}</body>\n</html>\n",
+             {front}{}{back}{}{}{}{}{}{}{}</body>\n</html>\n",
             include_str!("style.css"),
             self.alpha(),
             self.summary(),
             sections.concat(),
             sequence::html(&self.sequences),
+            minify::html(&self.minified),
+            self.relief.as_ref().map(relief::html).unwrap_or_default(),
             kernels::html(&self.kernels),
             sizes::html(&self.sizes),
             self.explanation(methods),
@@ -234,7 +254,9 @@ struct Data<'a> {
     standings: Vec<Standing>,
     studies: &'a [Study],
     sequences: &'a [Sequence],
+    minified: &'a [Minified],
     kernels: &'a Kernels,
+    relief: Option<&'a Relief>,
     shaders: &'a Sizes,
 }
 

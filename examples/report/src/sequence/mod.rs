@@ -16,9 +16,9 @@ use crate::reference::{Sampling, Target};
 use crate::render::render;
 use crate::scene::{Movement, Subject};
 use crate::window::{MARGIN, PerWindow, PixelWindow};
-use track::{Tally, peak};
+use track::peak;
 
-pub(crate) use track::Track;
+pub(crate) use track::{Tally, Track};
 
 /// How sequences are taken.
 #[derive(Clone)]

@@ -101,7 +101,7 @@ impl Moments {
 }
 
 /// What is summed up of a method frame by frame, not yet scaled.
-pub(super) struct Tally {
+pub(crate) struct Tally {
     frames: usize,
     peaks: Vec<f64>,
     /// Without its elevation.
@@ -111,7 +111,7 @@ pub(super) struct Tally {
 }
 
 impl Tally {
-    pub(super) fn new(pixels: usize) -> Self {
+    pub(crate) fn new(pixels: usize) -> Self {
         Self {
             frames: 0,
             peaks: Vec::new(),
@@ -121,7 +121,7 @@ impl Tally {
     }
 
     /// Adds a frame.
-    pub(super) fn push(&mut self, picture: &[f32], reference: &[f64], judged: &[bool]) {
+    pub(crate) fn push(&mut self, picture: &[f32], reference: &[f64], judged: &[bool]) {
         self.peaks.push(peak(picture.iter().map(|&x| f64::from(x)), judged));
         let values = picture.iter().zip(reference).map(|(&x, r)| f64::from(x) - r);
         let pixels = self.pixels.iter_mut().zip(values).enumerate().zip(judged);
@@ -135,8 +135,13 @@ impl Tally {
         self.frames += 1;
     }
 
-    /// Over the pixels that were judged in every frame.
-    fn flicker(&self) -> f64 {
+    /// Largest value of each frame.
+    pub(crate) fn peaks(&self) -> &[f64] {
+        &self.peaks
+    }
+
+    /// Root mean square over the pixels that were judged in every frame of the standard deviation in time.
+    pub(crate) fn flicker(&self) -> f64 {
         let frames = self.frames as f64;
         let always = self.pixels.iter().filter(|pixel| pixel.count == frames);
         let (sum, count) = always.fold((0.0, 0.0), |(sum, count), pixel| {
