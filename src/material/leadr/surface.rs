@@ -16,8 +16,8 @@ pub enum Shadowing {
     /// Masking and shadowing, height-correlated: $1/(1 + \Lambda_o + \Lambda_i)$.
     ///
     /// It knows of heights, not of azimuths: where eye and light lean the same way, what the one sees the other reaches,
-    /// and this is too dark. (Sky on ray-cast relief of deviation 2: by a few per cent of the mean; over deep grooves by up to a
-    /// fifth. The report measures it.)
+    /// and this is too dark. (A sky on ray-cast relief, 32 x 32 facets: RMSE of 8.5 % of the mean at deviation 2, 20 %
+    /// over deep grooves. The report measures it.)
     Both,
     /// Masking alone: $1/(1 + \Lambda_o)$, in which the mean plane's area cancels, so $1/\sigma_o$ is all.
     MaskingOnly,
