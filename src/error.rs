@@ -74,7 +74,7 @@ pub enum Error {
     Exponent,
     /// A grid's spacing is outside `(0, 10]` or NaN, or it has no node.
     Spacing,
-    /// The range of a storage is outside `(1e-9, 1e9]`, of halves `(1e-9, 181]`, or NaN.
+    /// The range of a storage is outside `(1e-9, 1e9]`, of halves `(1e-9, 255]`, or NaN.
     Range,
 }
 
@@ -111,7 +111,7 @@ impl fmt::Display for Error {
             Self::MeanLength => "length of a mean normal must lie in (0, 1]",
             Self::Exponent => "exponent must lie in [0, 1e9]",
             Self::Spacing => "spacing of a grid must lie in (0, 10], and it needs a node",
-            Self::Range => "range of stored slopes must lie in (1e-9, 1e9], of halves (1e-9, 181]",
+            Self::Range => "range of stored slopes must lie in (1e-9, 1e9], of halves (1e-9, 255]",
         })
     }
 }

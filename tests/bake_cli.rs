@@ -242,6 +242,15 @@ fn an_odd_map_is_read_back_within_the_alpha_floor() {
     assert_eq!((&description["cap"], &description["clipped"]["texels"]), (&10.0.into(), &1.into()));
     assert_eq!(names(&folder), ["moments", "normal.png"]);
 
+    // A smaller map over it leaves no level of the larger one.
+    let one = picture([1, 1], ColorType::Rgb, BitDepth::Eight, &[128, 128, 255]);
+    let small = folder.join("small.png");
+    fs::write(&small, one).expect("a file");
+    baked(&small, &out, &[]);
+    assert_eq!(names(&out), ["mean.0.png", "moments.0.f32", "moments.json", "second.0.png"]);
+    fs::remove_file(&small).expect("a file");
+    baked(&input, &out, &[]);
+
     // The same from one thread and many, over what is there; a stranger's file stays.
     let first = fs::read(out.join("second.1.png")).expect("a file");
     fs::write(out.join("notes.txt"), "mine").expect("a file");
@@ -339,7 +348,16 @@ fn pictures_that_are_no_normal_maps_are_refused() {
     let bits = picture(SIZE, ColorType::Grayscale, BitDepth::Four, &[0; 9]);
     let grey = eight(ColorType::Grayscale, &[9; 15]);
     let height: &[&str] = &["--height", "1", "--texel", "1"];
-    let cases: [(&[u8], &[&str], &str); 13] = [
+    // Damaged pixels under a chunk's checksum that was made anew: the pixels' own one knows.
+    let mut damaged = whole.clone();
+    let data = whole.windows(4).position(|name| name == b"IDAT").expect("pixels");
+    let length = u32::from_be_bytes(whole[data - 4..data].try_into().expect("four")) as usize;
+    let end = data + 4 + length;
+    damaged[end - 1] ^= 1;
+    let sum = checksum(&damaged[data..end]);
+    damaged[end..end + 4].copy_from_slice(&sum.to_be_bytes());
+    let cases: [(&[u8], &[&str], &str); 14] = [
+        (&damaged, &[], "not a readable PNG"),
         (&[], &[], "empty"),
         (b"GIF89a", &[], "not a readable PNG"),
         (&whole[..20], &[], "not a readable PNG"),
@@ -367,13 +385,14 @@ fn mistakes_are_one_line_that_names_them() {
     let folder = folder("mistakes");
     let (input, out) = (folder.join("normal.png"), folder.join("moments"));
     fs::write(&input, rgb(&texels())).expect("a file");
-    let cases: [(&[&str], &str); 17] = [
+    let cases: [(&[&str], &str); 18] = [
         (&["--cap", "0"], "--cap"),
         (&["--cap", "-1"], "--cap"),
         (&["--cap", "NaN"], "--cap"),
         (&["--cap", "steep"], "--cap"),
         (&["--range", "0.1"], "--range 0.1: the map's slopes reach"),
-        (&["--range", "NaN"], "--range"),
+        (&["--range", "0"], "--range 0: must lie in"),
+        (&["--range", "NaN"], "--range NaN: must lie in"),
         (&["--range", "inf"], "--range"),
         (&["--range", "x"], "--range"),
         (&["--border", "mirror"], "--border"),
@@ -446,19 +465,22 @@ fn an_interrupt_leaves_nothing() {
     let texels: Vec<u8> = (0..3 * side * side).map(|k| 160 + (k % 83) as u8).collect();
     let file = picture([side, side], ColorType::Rgb, BitDepth::Eight, &texels);
     fs::write(&input, file).expect("a file");
-    let mut command = Command::new(example());
-    command.arg(&input).arg("--out").arg(&out).args(["--threads", "1"]);
-    command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::piped());
-    let child = command.spawn().expect("the example runs");
-    // The temporary folder is there from the header on: seconds before the end.
-    while names(&folder).len() < 2 {
-        std::thread::sleep(std::time::Duration::from_millis(1));
+    // Ctrl-C, and what ends programs politely.
+    for signal in ["-INT", "-TERM"] {
+        let mut command = Command::new(example());
+        command.arg(&input).arg("--out").arg(&out).args(["--threads", "1"]);
+        command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::piped());
+        let child = command.spawn().expect("the example runs");
+        // The temporary folder is there from the header on: seconds before the end.
+        while names(&folder).len() < 2 {
+            std::thread::sleep(std::time::Duration::from_millis(1));
+        }
+        let kill = Command::new("kill").args([signal, &child.id().to_string()]).status();
+        assert!(kill.expect("kill").success());
+        let output = child.wait_with_output().expect("it ends");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(130), "{said}");
+        assert!(said.starts_with("bake: ") && said.lines().count() == 1, "{said}");
+        assert_eq!(names(&folder), ["normal.png"]);
     }
-    let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
-    assert!(kill.expect("kill").success());
-    let output = child.wait_with_output().expect("it ends");
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(130), "{said}");
-    assert!(said.starts_with("bake: ") && said.lines().count() == 1, "{said}");
-    assert_eq!(names(&folder), ["normal.png"]);
 }

@@ -217,6 +217,33 @@ fn a_mean_plane_that_turns_away_still_shines() {
 }
 
 #[test]
+fn behind_a_silhouette_no_light_is_made() {
+    let grid = Grid::<f32, 5>::cells();
+    for sigma in [0.02_f32, 0.05, 0.1, 0.3, 0.0] {
+        let lobe = Lobe::centred(Roughness::from_sigma_rho(sigma, sigma, 0.0).expect("deviations"));
+        let surface = Leadr::new(&lobe);
+        let eyes = (0..20_000_u16).map(|k| -f32::from(k) / 20_000.0).chain([-1e-40, 1e-40, -1e-33]);
+        for z in eyes {
+            let wo = [((1.0 - z) * (1.0 + z)).sqrt(), 0.0, z];
+            for normalisation in [Normalisation::ProjectedArea, Normalisation::Sum] {
+                let of = |light: f32| {
+                    let white = Fresnel::white();
+                    let sky = |_: [f32; 3], _: f32| [light; 3];
+                    let all = Shadowing::MaskingOnly;
+                    surface.environment(wo, &grid, all, normalisation, &white, &sky)[0]
+                };
+                assert_eq!(of(0.0), 0.0, "{sigma} {z} {normalisation:?}");
+                let lit = of(1.0);
+                let most = if normalisation == Normalisation::Sum { 1.0001 } else { 1.3 };
+                assert!((0.0..=most).contains(&lit), "{lit} of {sigma} {z} {normalisation:?}");
+            }
+            let dark = surface.diffuse(wo, &grid, Normalisation::ProjectedArea, |_| [0.0; 3]);
+            assert_eq!(dark, [0.0; 3]);
+        }
+    }
+}
+
+#[test]
 fn single_precision_is_total_and_close() {
     check(5_000, |source| {
         let input = source.lobe();

@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example bake -- normal.png --out moments` writes each level as two 16-bit PNGs and as raw f32,
 //! and `moments.json`, which says how their codes decode. `--help` lists the options.
-//! Exit status: 0; 2 for what cannot be read, baked or written, 130 after Ctrl-C; then nothing is written.
+//! Exit status: 0; 2 for what cannot be read, baked or written, 130 after Ctrl-C or SIGTERM; then nothing is written.
 
 mod encode;
 mod options;
@@ -27,6 +27,7 @@ use summary::{Seconds, Summary};
 /// The whole way from the file to the folder.
 fn bake(options: &Options, progress: &Progress) -> Result<Summary, String> {
     let cap = options.cap()?;
+    options.check_range()?;
     let border = Border::from(options.border);
     let of_input = |error: String| format!("{}: {error}", options.input.display());
     let relief = options.relief()?;
@@ -70,10 +71,10 @@ fn bake(options: &Options, progress: &Progress) -> Result<Summary, String> {
         bytes: map.bytes(),
         seconds: Seconds { decoding, converting, merging, copying, encoding: start.elapsed() },
     };
-    folder.write("moments.json", &summary.json(&options.input))?;
+    folder.write(output::DESCRIPTION, &summary.json(options))?;
     let mut names = levels.names();
     // The last, in which a reader finds the others.
-    names.push("moments.json".to_owned());
+    names.push(output::DESCRIPTION.to_owned());
     folder.finish(&names)?;
     summary.seconds.encoding = start.elapsed();
     progress.end();

@@ -3,7 +3,7 @@
 use super::slopes::Normals;
 use clap::error::ErrorKind;
 use clap::{Parser, ValueEnum};
-use lobe::material::lean::{Border, HeightField, SlopeCap};
+use lobe::material::lean::{Border, HeightField, SlopeCap, Unorm16};
 use std::num::NonZero;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -30,17 +30,17 @@ pub(crate) struct Options {
     pub(crate) border: Edge,
     /// Channels that hold the normal; of rg (BC5 and its kind), z is what is left to unit length.
     #[arg(long, value_name = "NAMES", value_enum, default_value_t = Channels::Rgb)]
-    channels: Channels,
+    pub(crate) channels: Channels,
     /// Turn y: for maps whose green points down (DirectX). y is up in what is written.
     #[arg(long)]
-    flip_y: bool,
+    pub(crate) flip_y: bool,
     /// The map is a displacement map: greyscale, and white is this high.
     #[arg(long, value_name = "SCALE", requires = "texel", allow_negative_numbers = true)]
     #[arg(conflicts_with = "channels")]
-    height: Option<f32>,
+    pub(crate) height: Option<f32>,
     /// The distance of a displacement map's texels, in the unit of --height.
     #[arg(long, value_name = "SIZE", requires = "height", allow_negative_numbers = true)]
-    texel: Option<f32>,
+    pub(crate) texel: Option<f32>,
     /// Threads; by default as many as there are cores.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
@@ -64,7 +64,7 @@ impl From<Edge> for Border {
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Channels {
+pub(crate) enum Channels {
     Rgb,
     Rg,
 }
@@ -122,6 +122,14 @@ impl Options {
             Ok(_) => Ok(Some(relief)),
             Err(lobe::Error::Texel) => Err(format!("--texel {texel}: {}", lobe::Error::Texel)),
             Err(error) => Err(format!("--height {displacement}: {error}")),
+        }
+    }
+
+    /// What is wrong with the range, whatever the map.
+    pub(crate) fn check_range(&self) -> Result<(), String> {
+        match self.range.map(|range| (range, Unorm16::new(range))) {
+            Some((range, Err(_))) => Err(format!("--range {range}: must lie in (1e-9, 1e9]")),
+            _ => Ok(()),
         }
     }
 

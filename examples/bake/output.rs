@@ -4,6 +4,9 @@ use std::fs::{self, File};
 use std::io::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
 
+/// The file in which a reader finds the others.
+pub(crate) const DESCRIPTION: &str = "moments.json";
+
 /// A folder to be: its files wait in a temporary one, which is removed when this is dropped.
 pub(crate) struct Folder {
     target: PathBuf,
@@ -65,8 +68,11 @@ impl Folder {
         let before = self.temporary.join("before");
         fs::create_dir(&before).map_err(|error| refused(&self.target, &error))?;
         let mut moved: Vec<(PathBuf, PathBuf)> = Vec::new();
-        // The last one leaves first: while it is there, it is the truth.
-        let away = names.iter().rev().filter(|name| is_file(&self.target.join(name)));
+        // The last one leaves first: while it is there, it is the truth. Levels of a larger map would be taken for this one's.
+        let stale = described(&self.target.join(DESCRIPTION));
+        let stale = stale.into_iter().filter(|name| !names.contains(name));
+        let gone: Vec<String> = names.iter().rev().cloned().chain(stale).collect();
+        let away = gone.iter().filter(|name| is_file(&self.target.join(name)));
         let moves = away
             .map(|name| (name, self.target.join(name), before.join(name)))
             .chain(names.iter().map(|n| (n, self.temporary.join(n), self.target.join(n))));
@@ -89,6 +95,17 @@ impl Drop for Folder {
         // After a rename it is not there; that it cannot be removed is no news of its own.
         let _ = fs::remove_dir_all(&self.temporary);
     }
+}
+
+/// The files of a baked map by its description; none where there is none.
+fn described(description: &Path) -> Vec<String> {
+    let text = fs::read_to_string(description).unwrap_or_default();
+    let known: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
+    let levels = known["levels"].as_array().into_iter().flatten();
+    let names = levels.flat_map(|level| ["mean", "second", "raw"].map(|part| level[part].as_str()));
+    // Names, not paths: a description that someone else wrote must not reach out of its folder.
+    let plain = |name: &&str| Path::new(name).file_name().is_some_and(|file| file == *name);
+    names.flatten().filter(plain).map(str::to_owned).collect()
 }
 
 /// Whether there is a file to move away; folders stay, and are in the way.

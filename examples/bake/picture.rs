@@ -54,9 +54,10 @@ impl Picture {
             return Err("the file is empty".to_owned());
         }
         let limits = Limits { bytes: DECODER_BYTES };
-        let reader = Decoder::new_with_limits(BufReader::with_capacity(1 << 16, file), limits)
-            .read_info()
-            .map_err(broken)?;
+        let mut decoder = Decoder::new_with_limits(BufReader::with_capacity(1 << 16, file), limits);
+        // By default the checksum of the pixels is not looked at.
+        decoder.ignore_checksums(false);
+        let reader = decoder.read_info().map_err(broken)?;
         let info = reader.info();
         let (width, height) = (info.width, info.height);
         if width == 0 || height == 0 {

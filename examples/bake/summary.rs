@@ -1,11 +1,10 @@
 //! What was baked: as text for people, as JSON for programs.
 
-use super::options::Options;
+use super::options::{Channels, Options};
 use lobe::material::lean::{Border, Clipped};
 use serde_json::json;
 use std::fs;
 use std::io::{ErrorKind, Write};
-use std::path::Path;
 use std::time::Duration;
 
 /// A baked map in numbers.
@@ -39,7 +38,7 @@ pub(crate) struct Seconds {
 
 impl Summary {
     /// The description beside the files.
-    pub(crate) fn json(&self, input: &Path) -> String {
+    pub(crate) fn json(&self, options: &Options) -> String {
         let levels: Vec<_> = (0..self.levels)
             .map(|k| {
                 json!({
@@ -51,7 +50,15 @@ impl Summary {
             })
             .collect();
         let description = json!({
-            "source": input.file_name().map(|name| name.to_string_lossy()),
+            "source": options.input.file_name().map(|name| name.to_string_lossy()),
+            "channels": match (options.height, options.channels) {
+                (Some(_), _) => "heights",
+                (None, Channels::Rgb) => "rgb",
+                (None, Channels::Rg) => "rg",
+            },
+            "flip_y": options.flip_y,
+            "height": options.height,
+            "texel": options.texel,
             "size": self.size,
             "range": self.range,
             "steepest": self.steepest,
@@ -64,7 +71,7 @@ impl Summary {
             },
             "alpha_floor": { "unorm16": self.floors[0], "f32": self.floors[1] },
             "decode": {
-                "slopes": "s = (dh/dx, dh/dy) = (-n.x / n.z, -n.y / n.z); rows from the top",
+                "slopes": "s = (dh/dx, dh/dy) = (-n.x / n.z, -n.y / n.z); x to the right, y up, rows from the top",
                 "mean": "16-bit RGB: red E[x], green E[y], each range * (code - 32768) / 32767; blue 0",
                 "second": "16-bit RGB: red E[xx], blue E[yy], each range^2 * code / 65535; \
                     green E[xy] = range^2 * (code - 32768) / 32767",

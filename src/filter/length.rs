@@ -152,7 +152,7 @@ impl VmfWidening {
         if !alpha.is_magnitude() {
             return Err(Error::Alpha);
         }
-        let added = R::lit(self.gain) / vmf_sharpness(length)?;
+        let added = (R::lit(self.gain) / vmf_sharpness(length)?).min(R::LARGEST * R::LARGEST);
         Ok((alpha * alpha + added).sqrt())
     }
 }

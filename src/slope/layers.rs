@@ -36,7 +36,7 @@ impl<R: Real> SlopeMoments<R> {
     /// $C = \mathrm{E}\,s_1 s_2^T - \mu_1 \mu_2^T$, rows first.
     ///
     /// A `cross` that the two covariances do not allow can make the sum indefinite: its negative eigenvalues are
-    /// then set to 0, as in [`SlopeMoments::from_raw`]. Entries of `cross` beyond $10^{18}$ count as that.
+    /// then set to 0, as in [`SlopeMoments::from_raw`]. Entries of `cross` beyond $10^{18}$ count as that, NaN as 0.
     ///
     /// Source: Olano & Baker 2010, section 5, of central moments.
     ///
@@ -55,8 +55,7 @@ impl<R: Real> SlopeMoments<R> {
     /// WGSL: `lobe_slope_moments_plus_correlated`.
     #[must_use]
     pub fn plus_correlated(&self, other: &Self, cross: Matrix<R>) -> Self {
-        let limit = R::LARGEST * R::LARGEST;
-        let kept = |x: R| x.max(-limit).min(limit);
+        let kept = |x: R| within(x, R::LARGEST * R::LARGEST);
         let ([x, y], [p, q]) = (self.mean(), other.mean());
         let (a, b) = (self.covariance().entries(), other.covariance().entries());
         let covariance = Psd::nearest(
@@ -87,7 +86,7 @@ impl<R: Real> SlopeMoments<R> {
         ]
     }
 
-    /// Heights times `factor`: $t \mu$, $t^2 \Sigma$. Of either sign; beyond $10^9$ it counts as that.
+    /// Heights times `factor`: $t \mu$, $t^2 \Sigma$. Of either sign; beyond $10^9$ it counts as that, NaN as 0.
     ///
     /// ```
     /// let relief = lobe::SlopeMoments::of_slope([0.1_f32, -0.2])?.scaled(-2.0);
@@ -98,7 +97,7 @@ impl<R: Real> SlopeMoments<R> {
     /// WGSL: `lobe_slope_moments_scaled`.
     #[must_use]
     pub fn scaled(&self, factor: R) -> Self {
-        let factor = factor.max(-R::LARGEST).min(R::LARGEST);
+        let factor = within(factor, R::LARGEST);
         let [x, y] = self.mean();
         Self::bounded([factor * x, factor * y], self.covariance().scaled(factor * factor))
     }
@@ -122,7 +121,7 @@ impl<R: Real> SlopeMoments<R> {
     /// Slopes under a linear map, $s' = M s$, `matrix` rows first: $M \mu$, $M \Sigma M^T$.
     ///
     /// A texture with coordinates $u = T x$ of the position $x$ has slopes $T^T s$ there: repeated twice as often it
-    /// is twice as steep. Entries up to $10^9$; results beyond the ranges of slopes and covariances
+    /// is twice as steep. Entries beyond $10^9$ count as that, NaN as 0; results beyond the ranges of slopes and covariances
     /// are scaled into them.
     ///
     /// ```
@@ -137,6 +136,7 @@ impl<R: Real> SlopeMoments<R> {
     /// WGSL: `lobe_slope_moments_transformed`.
     #[must_use]
     pub fn transformed(&self, matrix: Matrix<R>) -> Self {
+        let matrix = matrix.map(|row| row.map(|x| within(x, R::LARGEST)));
         let [l11, l21, l22] = self.covariance().cholesky();
         let (u, v) = (apply(matrix, [l11, l21]), apply(matrix, [R::ZERO, l22]));
         let det = cross(matrix[0], matrix[1]).abs();
@@ -175,4 +175,10 @@ impl<R: Real> SlopeMoments<R> {
         let covariance = if most > limit { covariance.scaled(limit / most) } else { covariance };
         Self::unchecked(mean.map(|x| x.max(-R::LARGEST).min(R::LARGEST)), covariance)
     }
+}
+
+/// The nearest number in [-limit, limit]; 0 for NaN.
+fn within<R: Real>(x: R, limit: R) -> R {
+    let known = x <= R::ZERO || x >= R::ZERO;
+    if known { x.max(-limit).min(limit) } else { R::ZERO }
 }

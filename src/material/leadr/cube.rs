@@ -11,7 +11,8 @@ use core::marker::PhantomData;
 /// Six square faces with their mip chain; a [`Light`].
 ///
 /// Over any storage of texels: a `Vec`, an array, a borrowed slice. Faces in the order of GPUs, +x, -x, +y, -y, +z, -z,
-/// each by rows, oriented as theirs. Filtering is trilinear and takes texels beyond an edge from the neighbouring face.
+/// each by rows, oriented as theirs. Filtering is trilinear and takes texels beyond an edge from the neighbouring face; at the
+/// eight corners, where three faces meet, what takes the place of a fourth differs from face to face.
 /// Directions are the map's own: to turn a tangent frame, wrap the map in a function.
 ///
 /// ```

@@ -33,7 +33,8 @@ pub enum Normalisation {
     /// numbers).
     ProjectedArea,
     /// S, the sum of the facets' areas: the paper's. A constant light comes out as itself for any grid, also where no
-    /// facet of the grid is seen (by [`Leadr::artificial_facet`]): the choice for few nodes and for silhouettes.
+    /// facet of the grid is seen (by [`Leadr::artificial_facet`]; of a mirror exactly edge-on nothing is): the choice for
+    /// few nodes and for silhouettes.
     Sum,
 }
 
@@ -115,7 +116,7 @@ impl<R: Real> Leadr<R> {
                 total
             }
         };
-        let inverse = if divisor > R::ZERO { R::ONE / divisor } else { R::ZERO };
-        sum.map(|x| (x * inverse).min(R::MAX))
+        // Far behind a silhouette the area is the smallest number: its reciprocal would be infinite.
+        sum.map(|x| if divisor > R::ZERO { (x / divisor).min(R::MAX) } else { R::ZERO })
     }
 }

@@ -74,7 +74,9 @@ impl<R: Real> Irradiance<R> {
         }
     }
 
-    /// Adds light from everywhere: `rows` x 2 `rows` directions of equal solid angle.
+    /// Adds light from everywhere: `rows` x 2 `rows` directions of equal solid angle; none of 0 rows.
+    ///
+    /// Under even light 8 rows are within 1 %, 64 within 0.02 %.
     ///
     /// WGSL: none, nine uniforms there.
     pub fn add_light(&mut self, light: &impl Light<R>, rows: usize) {

@@ -27,7 +27,8 @@ pub(super) fn loaded<R: Real>(&[x, y, xx, xy, yy, root_det]: &Stored<R>) -> Slop
 /// What a level is merged from: the map's slopes, or the level before.
 #[derive(Clone, Copy)]
 pub(super) enum Finer<'a, R> {
-    Slopes(&'a [[R; 2]]),
+    /// Slopes, and what their means are kept relative to.
+    Slopes(&'a [[R; 2]], [R; 2]),
     Moments(&'a [Stored<R>]),
 }
 
@@ -53,17 +54,21 @@ pub(super) fn shares<R: Real>(k: usize, n: usize) -> (usize, [R; 3]) {
     (2 * k, [share(middle - k), share(middle), share(k + 1)])
 }
 
-/// Four slopes, equally: two pairs, and the pair of their means.
+#[inline]
+fn minus<R: Real>(p: [R; 2], q: [R; 2]) -> [R; 2] {
+    [p[0] - q[0], p[1] - q[1]]
+}
+
+/// Four slopes, equally, the mean relative to an origin: two pairs, and the pair of their means.
 ///
 /// The covariance is a sum of three outer products, its determinant by Cauchy and Binet the sum of the squares of
 /// their cross products.
 #[inline]
-fn four<R: Real>([a, b, c, d]: [[R; 2]; 4]) -> SlopeMoments<R> {
+fn four<R: Real>([a, b, c, d]: [[R; 2]; 4], origin: [R; 2]) -> SlopeMoments<R> {
     let half = R::HALF;
-    let minus = |p: [R; 2], q: [R; 2]| [p[0] - q[0], p[1] - q[1]];
     let between = |p: [R; 2], v: [R; 2]| [p[0] + half * v[0], p[1] + half * v[1]];
     let (first, second) = (minus(b, a), minus(d, c));
-    let (p, q) = (between(a, first), between(c, second));
+    let (p, q) = (between(minus(a, origin), first), between(minus(c, origin), second));
     let third = minus(q, p);
     // Variances 1/8, 1/8 and 1/4 of the differences' squares.
     let (pair, pairs) = (R::lit(0.125), R::lit(0.25));
@@ -80,7 +85,7 @@ fn four<R: Real>([a, b, c, d]: [[R; 2]; 4]) -> SlopeMoments<R> {
 #[inline]
 fn four_moments<R: Real>(four_stored: [&Stored<R>; 4]) -> SlopeMoments<R> {
     let [a, b, c, d] = four_stored.map(loaded);
-    let between = four([a.mean(), b.mean(), c.mean(), d.mean()]);
+    let between = four([a.mean(), b.mean(), c.mean(), d.mean()], [R::ZERO; 2]);
     let pair = |p: &SlopeMoments<R>, q: &SlopeMoments<R>| p.covariance().plus(&q.covariance());
     let within = pair(&a, &b).plus(&pair(&c, &d)).scaled(R::lit(0.25));
     SlopeMoments::unchecked(between.mean(), within.plus(&between.covariance()))
@@ -97,7 +102,9 @@ impl<R: Real> Finer<'_, R> {
     #[inline]
     fn at(&self, place: usize) -> SlopeMoments<R> {
         match self {
-            Self::Slopes(slopes) => SlopeMoments::unchecked(slopes[place], Psd::zero()),
+            Self::Slopes(slopes, origin) => {
+                SlopeMoments::unchecked(minus(slopes[place], *origin), Psd::zero())
+            }
             Self::Moments(moments) => loaded(&moments[place]),
         }
     }
@@ -110,9 +117,9 @@ impl<R: Real> Finer<'_, R> {
         for (row, out) in (first..).zip(out.chunks_exact_mut(columns)) {
             let rows = 2 * row * width..2 * (row + 1) * width;
             match self {
-                Self::Slopes(slopes) if even => {
+                Self::Slopes(slopes, origin) if even => {
                     for (out, block) in out.iter_mut().zip(blocks(&slopes[rows], width)) {
-                        *out = stored(&four(block.map(|slope| *slope)));
+                        *out = stored(&four(block.map(|slope| *slope), *origin));
                     }
                 }
                 Self::Moments(moments) if even => {
@@ -125,26 +132,49 @@ impl<R: Real> Finer<'_, R> {
         }
     }
 
-    /// A row of the next level, whatever the size.
+    /// A row of the next level, whatever the size: up to nine texels by their shares.
     fn merge_row(&self, [width, height]: [usize; 2], row: usize, out: &mut [Stored<R>]) {
         let (top, down) = shares::<R>(row, height);
         for (column, out) in out.iter_mut().enumerate() {
             let (left, right) = shares::<R>(column, width);
-            let line = |k: usize| merged(right, |i| self.at((top + k) * width + left + i));
-            *out = stored(&merged(down, line));
+            // Where a share is 0, there may be no texel: the first stands for it.
+            let place = |k: usize, shares: &[R; 3]| if shares[k] > R::ZERO { k } else { 0 };
+            let texels: [_; 9] = core::array::from_fn(|k| {
+                self.at((top + place(k / 3, &down)) * width + left + place(k % 3, &right))
+            });
+            *out =
+                stored(&gathered(&texels, &core::array::from_fn(|k| down[k / 3] * right[k % 3])));
         }
     }
 }
 
-/// Up to three moments by their shares; those of share 0 are not asked for.
+/// Moments merged by shares, not negative and with sum 1.
+///
+/// Two passes: the mean first, then all differences from it, so nothing cancels. The entries' own determinant is good to
+/// the rounding of their product; where that says nothing, Minkowski's bound does: the root of a sum's determinant is
+/// at least the sum of the roots.
 #[inline]
-fn merged<R: Real>(shares: [R; 3], at: impl Fn(usize) -> SlopeMoments<R>) -> SlopeMoments<R> {
-    let [p, q, r] = shares;
-    let first = at(0);
-    if q == R::ZERO {
-        return first;
+pub(super) fn gathered<R: Real, const N: usize>(
+    moments: &[SlopeMoments<R>; N],
+    shares: &[R; N],
+) -> SlopeMoments<R> {
+    let origin = moments[0].mean();
+    let (mut x, mut y) = (R::ZERO, R::ZERO);
+    for (patch, &share) in moments.iter().zip(shares) {
+        let [p, q] = minus(patch.mean(), origin);
+        x = x + share * p;
+        y = y + share * q;
     }
-    let sum = p + q;
-    let two = first.shared(p / sum, &at(1), q / sum);
-    if r == R::ZERO { two } else { two.shared(sum, &at(2), r) }
+    let mean = [origin[0] + x, origin[1] + y];
+    let (mut entries, mut least) = ([R::ZERO; 3], R::ZERO);
+    for (patch, &share) in moments.iter().zip(shares) {
+        let ([p, q], [xx, xy, yy]) = (minus(patch.mean(), mean), patch.covariance().entries());
+        entries[0] = entries[0] + share * (xx + p * p);
+        entries[1] = entries[1] + share * (xy + p * q);
+        entries[2] = entries[2] + share * (yy + q * q);
+        least = least + share * patch.covariance().root_det();
+    }
+    let own = Psd::from_entries(entries[0], entries[1], entries[2]);
+    let covariance = Psd::with_root_det(entries, own.root_det().max(least));
+    SlopeMoments::unchecked(mean, covariance)
 }

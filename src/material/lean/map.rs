@@ -24,10 +24,12 @@ pub enum Border {
 /// A side of n texels has n/2 on the next level, rounded down and at least 1, as on a GPU, each the box of its exact
 /// extent: of odd sides three texels in part. Level n is the merge of its texels on level n - 1, and the last one, of
 /// one texel, that of the whole map. Positive semi-definite by construction. A covariance errs by what rounding moves its
-/// texels' means: relative to it about $2^{-23} |\mu| / \sigma$ in f32, 1 % at a deviation of 1e-5 of the mean (less where
-/// many texels' errors average out), where raw moments err by the square of that quotient, and have lost it at 4e-4.
+/// texels' means: relative to it about $2^{-23} |\mu| / \sigma$ in f32, with $\mu$ counted from the middle of the map's slopes
+/// where all of them lie far from 0. (Raw moments err by the square of that, and $\mu$ counts from 0: a deviation of
+/// 4e-4 of the mean is lost.)
 ///
-/// Memory: two numbers a texel of the map and six of each level above it, in all twice the map's slopes.
+/// Memory: two numbers a texel of the map and six of each level above it, in all twice the map's slopes (four times of
+/// a map one texel wide).
 ///
 /// ```
 /// use lobe::material::lean::{Border, MomentMap, SlopeCap};
@@ -50,6 +52,8 @@ pub struct MomentMap<R> {
     size: [usize; 2],
     border: Border,
     slopes: Vec<[R; 2]>,
+    /// What levels' means are relative to: of a map of nearly equal slopes their middle, else 0.
+    origin: [R; 2],
     levels: Vec<Vec<Stored<R>>>,
 }
 
@@ -136,23 +140,21 @@ impl<R: Real> MomentMap<R> {
         if slopes.is_empty() || size[0].checked_mul(size[1]) != Some(slopes.len()) {
             return Err(Error::MapSize);
         }
-        if !slopes.iter().all(|s| s[0].is_slope() && s[1].is_slope()) {
-            return Err(Error::Mean);
-        }
+        let origin = origin(&slopes)?;
         let mut levels: Vec<Vec<Stored<R>>> = Vec::new();
         let mut finer = size;
         while finer != [1, 1] {
             let [width, height] = halved(finer);
             let mut level = vec![[R::ZERO; 6]; width * height];
             let source = match levels.last() {
-                None => Finer::Slopes(&slopes),
+                None => Finer::Slopes(&slopes, origin),
                 Some(moments) => Finer::Moments(moments),
             };
             merge(&source, finer, 0, &mut level);
             levels.push(level);
             finer = [width, height];
         }
-        Ok(Self { size, border, slopes, levels })
+        Ok(Self { size, border, slopes, origin, levels })
     }
 
     /// How many levels there are, the map itself included.
@@ -189,13 +191,37 @@ impl<R: Real> MomentMap<R> {
     /// WGSL: none, a texture there.
     #[inline]
     pub fn texel(&self, level: usize, column: usize, row: usize) -> SlopeMoments<R> {
+        if level == 0 {
+            let [width, height] = self.size;
+            let slope = self.slopes[row.min(height - 1) * width + column.min(width - 1)];
+            return SlopeMoments::unchecked(slope, Psd::zero());
+        }
+        self.absolute(self.relative(level, column, row))
+    }
+
+    /// The same with the mean relative to the origin.
+    #[inline]
+    pub(super) fn relative(&self, level: usize, column: usize, row: usize) -> SlopeMoments<R> {
         let level = level.min(self.levels.len());
         let [width, height] = self.size(level);
         let place = row.min(height - 1) * width + column.min(width - 1);
         match level {
-            0 => SlopeMoments::unchecked(self.slopes[place], Psd::zero()),
+            0 => {
+                let [x, y] = self.slopes[place];
+                let mean = [x - self.origin[0], y - self.origin[1]];
+                SlopeMoments::unchecked(mean, Psd::zero())
+            }
             level => loaded(&self.levels[level - 1][place]),
         }
+    }
+
+    /// Moments whose mean is relative to the origin, as they are.
+    #[inline]
+    pub(super) fn absolute(&self, relative: SlopeMoments<R>) -> SlopeMoments<R> {
+        let [x, y] = relative.mean();
+        let kept = |x: R| x.max(-R::LARGEST).min(R::LARGEST);
+        let mean = [kept(x + self.origin[0]), kept(y + self.origin[1])];
+        SlopeMoments::unchecked(mean, relative.covariance())
     }
 
     /// The moments of a level's texels, by rows: what a [`Storage`](super::Storage) encodes.
@@ -231,4 +257,27 @@ impl<R: Real> MomentMap<R> {
         core::mem::size_of_val(&self.slopes[..])
             + self.levels.iter().map(|level| core::mem::size_of_val(&level[..])).sum::<usize>()
     }
+}
+
+/// What means are best kept relative to, for each axis: the middle of the slopes if they all lie within a quarter of it
+/// around it, else 0, from which slopes are exact.
+fn origin<R: Real>(slopes: &[[R; 2]]) -> Result<[R; 2], Error> {
+    let (mut low, mut high) = ([R::MAX; 2], [-R::MAX; 2]);
+    let mut valid = true;
+    for slope in slopes {
+        for axis in 0..2 {
+            let x = slope[axis];
+            valid &= x.is_slope();
+            low[axis] = low[axis].min(x);
+            high[axis] = high[axis].max(x);
+        }
+    }
+    if !valid {
+        return Err(Error::Mean);
+    }
+    Ok([0, 1].map(|axis: usize| {
+        let middle = R::HALF * (low[axis] + high[axis]);
+        let reach = R::HALF * (high[axis] - low[axis]);
+        if middle.abs() > R::lit(4.0) * reach { middle } else { R::ZERO }
+    }))
 }

@@ -3,10 +3,13 @@
 //! Floor 4. Interpolating covariances alone forgets that the texels' means differ; a merge by weights does not. This is
 //! what linear filtering of raw moments gives, without their cancellation.
 
+use super::level::gathered;
 use super::map::{Border, MomentMap};
-use crate::scalar::{Psd, Real};
+use crate::scalar::Real;
 use crate::slope::SlopeMoments;
 
+/// Probes of one lookup at most.
+const MOST_PROBES: usize = 1024;
 /// 1/sqrt 3.
 const INVERSE_ROOT_THREE: f64 = 0.577_350_269_189_625_8;
 
@@ -28,7 +31,7 @@ impl<R: Real> MomentMap<R> {
     /// WGSL: none, a sampler interpolates raw moments there: `lobe_slope_moments_from_raw`.
     pub fn bilinear(&self, level: usize, uv: impl Into<[R; 2]>) -> SlopeMoments<R> {
         let (texels, shares) = self.corners(level, uv.into());
-        gathered(&texels, &shares)
+        self.absolute(gathered(&texels, &shares))
     }
 
     /// Moments at `uv` between levels: [`MomentMap::bilinear`] on the two around `lod`, merged by its fraction.
@@ -46,7 +49,11 @@ impl<R: Real> MomentMap<R> {
     ///
     /// WGSL: none, a sampler does it there.
     pub fn trilinear(&self, uv: impl Into<[R; 2]>, lod: R) -> SlopeMoments<R> {
-        let uv = uv.into();
+        self.absolute(self.between_levels(uv.into(), lod))
+    }
+
+    /// [`MomentMap::trilinear`] with the mean relative to the map's origin.
+    fn between_levels(&self, uv: [R; 2], lod: R) -> SlopeMoments<R> {
         let last = R::lit((self.levels() - 1) as f64);
         let (level, fraction) = floor(lod.max(R::ZERO).min(last));
         let level = usize::try_from(level).unwrap_or_default();
@@ -64,12 +71,13 @@ impl<R: Real> MomentMap<R> {
 
     /// Moments of a footprint: its centre and the steps `du`, `dv` of its sides in uv, a pixel apart.
     ///
-    /// Trilinear probes along the longer side, `most` (1 or more) and one at the most, all merged, so what lies between
-    /// them counts. They are as wide as the shorter side and not wider: a bilinear lookup has, in the mean over its
-    /// phases, three times the variance of a texel, so texels are $1/\sqrt 3$ as wide as a probe; and the probes'
-    /// places have the variance that is left of the longer side's. On an even slope the whole has that of the
-    /// footprint, at any aspect, where hardware's filter has three to four times as much. Sides below
-    /// $\sqrt 3$ texels are as wide as a lookup of the finest level.
+    /// Trilinear probes along the longer side, `most` and one at the most (counted within 1 and 1024), all merged, so what
+    /// lies between them counts. They are as wide as the shorter side, or as it takes to span the longer one: a
+    /// bilinear lookup has, in the mean over its phases, three times the variance of a texel, so texels are
+    /// $1/\sqrt 3$ as wide as a probe; levels are mixed to the variance between theirs; and the probes' places have
+    /// the variance that is left of the longer side's. On an even slope the whole has that of the footprint, where
+    /// hardware's filter has three to four times as much. Nothing is narrower than $\sqrt 3$ texels: a lookup of the
+    /// finest level.
     ///
     /// ```
     /// use lobe::material::lean::{Border, MomentMap};
@@ -98,24 +106,29 @@ impl<R: Real> MomentMap<R> {
         };
         let (a, b) = (texels(du), texels(dv));
         let (long, short, side) = if a >= b { (a, b, du) } else { (b, a, dv) };
-        let most = R::lit(most.max(1) as f64);
-        // A probe's side, and of the longer side what places have to make up for.
-        let probe = short.max(long / most);
+        let most = R::lit(most.clamp(1, MOST_PROBES) as f64);
+        // A probe's side in texels, a lookup's of the finest level at least; of the longer side what places make up for.
+        let least = R::ONE / R::lit(INVERSE_ROOT_THREE);
+        let probe = short.max(long / most).max(least);
         let spread = ((long - probe) * (long + probe)).max(R::ZERO).sqrt();
-        let (whole, rest) = floor((spread / probe.max(R::MIN_POSITIVE)).min(most));
+        let (whole, rest) = floor((spread / probe).min(most));
         let count = 1 + whole + i64::from(rest > R::ZERO);
-        let lod = (probe * R::lit(INVERSE_ROOT_THREE)).max(R::ONE).ln() / R::TWO.ln();
+        let (level, between) = floor((probe / least).ln() / R::TWO.ln());
+        // Texels of levels differ fourfold in variance: the share at which the mixture has the probe's.
+        let between = ((between * R::lit(4.0).ln()).exp() - R::ONE) / R::lit(3.0);
+        let lod = R::lit(level as f64) + between;
         // Places n - 1 distances apart have the variance (n^2 - 1)/12 of one.
         let n = R::lit(count as f64);
         let reach = spread / (long * ((n - R::ONE) * (n + R::ONE)).sqrt()).max(R::MIN_POSITIVE);
         let at = |k: i64| {
             let t = (R::lit(k as f64) - R::HALF * (n - R::ONE)) * reach;
-            self.trilinear([u + t * side[0], v + t * side[1]], lod)
+            self.between_levels([u + t * side[0], v + t * side[1]], lod)
         };
-        (1..count).fold(at(0), |sum, k| {
+        let relative = (1..count).fold(at(0), |sum, k| {
             let share = R::ONE / R::lit((k + 1) as f64);
             sum.shared(R::ONE - share, &at(k), share)
-        })
+        });
+        self.absolute(relative)
     }
 
     /// The four texels around a point of a level, and their bilinear shares.
@@ -124,7 +137,7 @@ impl<R: Real> MomentMap<R> {
         let [width, height] = self.size(level);
         let ([left, right], x) = self.around(u, width);
         let ([above, below], y) = self.around(v, height);
-        let texel = |column, row| self.texel(level, column, row);
+        let texel = |column, row| self.relative(level, column, row);
         let (p, q) = (R::ONE - x, R::ONE - y);
         (
             [texel(left, above), texel(right, above), texel(left, below), texel(right, below)],
@@ -149,38 +162,6 @@ impl<R: Real> MomentMap<R> {
         };
         ([first, second].map(|k| usize::try_from(k).unwrap_or_default()), fraction)
     }
-}
-
-/// Moments merged by shares, not negative and with sum 1.
-///
-/// Two passes: the mean first, then all differences from it, so nothing cancels. The entries' own determinant is good to
-/// the rounding of their product; where that says nothing, Minkowski's bound does: the root of a sum's determinant is
-/// at least the sum of the roots.
-#[inline]
-fn gathered<R: Real, const N: usize>(
-    moments: &[SlopeMoments<R>; N],
-    shares: &[R; N],
-) -> SlopeMoments<R> {
-    let origin = moments[0].mean();
-    let (mut x, mut y) = (R::ZERO, R::ZERO);
-    for (patch, &share) in moments.iter().zip(shares) {
-        let [p, q] = patch.mean();
-        x = x + share * (p - origin[0]);
-        y = y + share * (q - origin[1]);
-    }
-    let mean = [origin[0] + x, origin[1] + y];
-    let (mut entries, mut least) = ([R::ZERO; 3], R::ZERO);
-    for (patch, &share) in moments.iter().zip(shares) {
-        let ([p, q], [xx, xy, yy]) = (patch.mean(), patch.covariance().entries());
-        let (p, q) = (p - mean[0], q - mean[1]);
-        entries[0] = entries[0] + share * (xx + p * p);
-        entries[1] = entries[1] + share * (xy + p * q);
-        entries[2] = entries[2] + share * (yy + q * q);
-        least = least + share * patch.covariance().root_det();
-    }
-    let own = Psd::from_entries(entries[0], entries[1], entries[2]);
-    let covariance = Psd::with_root_det(entries, own.root_det().max(least));
-    SlopeMoments::unchecked(mean, covariance)
 }
 
 /// The next whole number from below, and what is left, in [0, 1). For magnitudes of up to about $10^9$.

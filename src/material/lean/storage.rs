@@ -50,12 +50,14 @@ pub trait Storage {
         SlopeMoments::from_raw(mean, second)
     }
 
-    /// The alpha below which a stored lobe is not told from a mirror: $\sqrt{2 e}$ with $e$ the largest error of an
-    /// entry of the covariance, for slopes within the range.
+    /// The alpha below which a stored lobe may not be told from a mirror: $\sqrt{2 e}$ with $e$ half a step of the
+    /// stored second moments at the end of the range, which is what a decoder's difference
+    /// $\mathrm{E}\,s s^T - \hat\mu\hat\mu^T$ errs by at most, for slopes within the range.
     ///
     /// For range 1: unorm16 0.0055, f16 0.031, f32 3.5e-4. (Moments that are rounded each for itself, as published,
-    /// have 0.0087, 0.038 and 4.2e-4 or more: the mean's error counts twice its slope.) Of texels as they are: interpolation in
-    /// hardware adds its own.
+    /// have 0.0087, 0.038 and 4.2e-4 or more: the mean's error counts twice its slope.) Not in it: mending an indefinite
+    /// difference, which moves entries once more by as much; a decoder's own rounding, of the size of what it gives; and
+    /// interpolation in hardware.
     ///
     /// WGSL: none, textures are written on the CPU.
     fn alpha_floor(&self) -> f32;
@@ -81,7 +83,7 @@ pub struct Float32 {
     range: f32,
 }
 
-/// Five halves: for slopes up to `range`, at most 181, whose square doubled is the largest half.
+/// Five halves: for slopes up to `range`, at most 255, whose square is nearly the largest half.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Float16 {
     range: f32,
@@ -131,11 +133,11 @@ impl Float16 {
     /// For slopes up to `range`, on which only the floor depends.
     ///
     /// # Errors
-    /// [`Error::Range`] unless it lies in $(10^{-9}, 181]$.
+    /// [`Error::Range`] unless it lies in $(10^{-9}, 255]$.
     ///
     /// WGSL: none, textures are written on the CPU.
     pub fn new(range: f32) -> Result<Self, Error> {
-        if range > 181.0 { Err(Error::Range) } else { Ok(Self { range: checked(range)? }) }
+        if range > 255.0 { Err(Error::Range) } else { Ok(Self { range: checked(range)? }) }
     }
 }
 
@@ -185,7 +187,20 @@ impl Storage for Unorm16 {
         let square = self.range * self.range;
         let signed = |x: f32, range: f32| code(MIDDLE + SIGNED_STEPS * (x / range).max(-1.0));
         let unsigned = |x: f32| code(STEPS * (x / square));
-        let [x, y] = moments.mean().map(|x| signed(x, self.range));
+        let variances = moments.covariance().entries();
+        let mean = moments.mean();
+        let axis = |k: usize| {
+            let nearest = signed(mean[k], self.range);
+            let ([stored, _], _) = self.raw([nearest, 0, 0, 0, 0]);
+            // Rounded up to the end of the range, a mean leaves its variance no room: towards 0 it does.
+            let beyond = variances[2 * k] + stored * stored > square;
+            match nearest {
+                _ if !beyond || stored.abs() <= mean[k].abs() => nearest,
+                32769.. => nearest - 1,
+                _ => nearest + 1,
+            }
+        };
+        let [x, y] = [axis(0), axis(1)];
         let (mean, _) = self.raw([x, y, 0, 0, 0]);
         let [xx, xy, yy] = about(moments, mean);
         [x, y, unsigned(xx), signed(xy, square), unsigned(yy)]

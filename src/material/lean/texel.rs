@@ -25,27 +25,34 @@ macro_rules! unsigned_normalised {
         impl NormalTexel for [$int; 3] {
             #[inline]
             fn normal<R: Real>(self) -> [R; 3] {
-                // In f64, to a unit of it; the reciprocal, as quotients would take most of the time.
-                let (most, inverse) = (f64::from(<$int>::MAX), 1.0 / f64::from(<$int>::MAX));
-                self.map(|v| R::lit((2.0 * f64::from(v) - most) * inverse))
+                // As long as the largest code: whole numbers, exact, and no division.
+                self.map(|v| R::lit(2.0 * f64::from(v) - f64::from(<$int>::MAX)))
             }
         }
-        impl NormalTexel for [$int; 4] {
+        impl NormalTexel for [$int; 2] {
+            #[inline]
+            fn normal<R: Real>(self) -> [R; 3] {
+                let most = i64::from(<$int>::MAX);
+                let [x, y] = self.map(|v| 2 * i64::from(v) - most);
+                // Below 2^33: exact.
+                let rest = (most * most - x * x - y * y).max(0);
+                [R::lit(x as f64), R::lit(y as f64), R::lit(Real::sqrt(rest as f64))]
+            }
+        }
+        with_alpha!($int);
+    )*};
+}
+
+macro_rules! with_alpha {
+    ($t:ty) => {
+        impl NormalTexel for [$t; 4] {
             #[inline]
             fn normal<R: Real>(self) -> [R; 3] {
                 let [x, y, z, _] = self;
                 [x, y, z].normal()
             }
         }
-        impl NormalTexel for [$int; 2] {
-            #[inline]
-            fn normal<R: Real>(self) -> [R; 3] {
-                let [x, y] = self;
-                let [x, y, _] = [x, y, 0].normal::<R>();
-                from_disk([x, y])
-            }
-        }
-    )*};
+    };
 }
 unsigned_normalised!(u8, u16);
 
@@ -57,6 +64,13 @@ macro_rules! float {
                 self.map(|x| R::lit(f64::from(x)))
             }
         }
+        impl NormalTexel for [$t; 2] {
+            #[inline]
+            fn normal<R: Real>(self) -> [R; 3] {
+                from_disk(self.map(|x| R::lit(f64::from(x))))
+            }
+        }
+        with_alpha!($t);
     )*};
 }
 float!(f32, f64);
@@ -142,7 +156,7 @@ impl<R: Real> SlopeCap<R> {
     /// A texel's slope $(-m_x/m_z, -m_y/m_z)$, and whether the cap touched it.
     ///
     /// A normal at or below the horizon has the cap's length, towards where it points; one without a direction (0,
-    /// straight down, NaN) is flat, and counts as touched.
+    /// straight down, infinite, NaN) is flat, and counts as touched.
     ///
     /// WGSL: none, maps are read on the CPU.
     #[inline]

@@ -40,5 +40,6 @@ const LOBE_VMF_WIDENING_SPECULAR_AA: f32 = 2.0;
 // Rust: `VmfWidening::alpha`, the gain last. Gains outside [0, 1e9] count as the nearest, NaN as 0.
 fn lobe_vmf_alpha(alpha: f32, length: f32, gain: f32) -> f32 {
     let a = lobe_magnitude(alpha);
-    return sqrt(a * a + lobe_magnitude(gain) / lobe_vmf_sharpness(length));
+    let added = lobe_min(lobe_magnitude(gain) / lobe_vmf_sharpness(length), LOBE_LARGEST * LOBE_LARGEST);
+    return sqrt(a * a + added);
 }
