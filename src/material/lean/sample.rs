@@ -76,8 +76,8 @@ impl<R: Real> MomentMap<R> {
     /// bilinear lookup has, in the mean over its phases, three times the variance of a texel, so texels are
     /// $1/\sqrt 3$ as wide as a probe; levels are mixed to the variance between theirs; and the probes' places have
     /// the variance that is left of the longer side's. On an even slope the whole has that of the footprint, where
-    /// hardware's filter has three to four times as much. Nothing is narrower than $\sqrt 3$ texels: a lookup of the
-    /// finest level.
+    /// hardware's filter has three to four times as much. No probe is narrower than a texel, which a lookup of the
+    /// finest level widens to $\sqrt 3$ of them.
     ///
     /// ```
     /// use lobe::material::lean::{Border, MomentMap};
@@ -107,13 +107,12 @@ impl<R: Real> MomentMap<R> {
         let (a, b) = (texels(du), texels(dv));
         let (long, short, side) = if a >= b { (a, b, du) } else { (b, a, dv) };
         let most = R::lit(most.clamp(1, MOST_PROBES) as f64);
-        // A probe's side in texels, a lookup's of the finest level at least; of the longer side what places make up for.
-        let least = R::ONE / R::lit(INVERSE_ROOT_THREE);
-        let probe = short.max(long / most).max(least);
+        // A probe's side, in texels and one at least; of the longer side what places make up for.
+        let probe = short.max(long / most).max(R::ONE);
         let spread = ((long - probe) * (long + probe)).max(R::ZERO).sqrt();
         let (whole, rest) = floor((spread / probe).min(most));
         let count = 1 + whole + i64::from(rest > R::ZERO);
-        let (level, between) = floor((probe / least).ln() / R::TWO.ln());
+        let (level, between) = floor((probe * R::lit(INVERSE_ROOT_THREE)).ln() / R::TWO.ln());
         // Texels of levels differ fourfold in variance: the share at which the mixture has the probe's.
         let between = ((between * R::lit(4.0).ln()).exp() - R::ONE) / R::lit(3.0);
         let lod = R::lit(level as f64) + between;
