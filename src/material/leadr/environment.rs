@@ -77,11 +77,12 @@ impl<R: Real> Leadr<R> {
         light: &impl Light<R>,
     ) -> [R; 3] {
         let wo = wo.into();
+        let share = match shadowing {
+            Shadowing::Both => Some(self.reaching_from(wo)),
+            Shadowing::MaskingOnly => None,
+        };
         self.mean_over_facets(wo, grid, normalisation, |facet| {
-            let reaching = match shadowing {
-                Shadowing::Both => self.light_reaching(wo, facet.wi),
-                Shadowing::MaskingOnly => R::ONE,
-            };
+            let reaching = share.as_ref().map_or(R::ONE, |share| share(facet.wi));
             let radiance = light.radiance(facet.wi, facet.solid_angle);
             let reflected = fresnel.reflectance(facet.cosine);
             [0, 1, 2].map(|k: usize| reaching * reflected[k] * radiance[k])

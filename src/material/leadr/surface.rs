@@ -139,10 +139,18 @@ impl<R: Real> Leadr<R> {
     ///
     /// WGSL: `lobe_leadr_light_reaching`.
     pub fn light_reaching(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> R {
-        let (wo, wi) = (wo.into(), wi.into());
+        self.reaching_from(wo.into())(wi.into())
+    }
+
+    /// [`Leadr::light_reaching`] of one `wo` for many `wi`.
+    #[inline]
+    pub(super) fn reaching_from(&self, wo: [R; 3]) -> impl Fn([R; 3]) -> R + '_ {
         let area = self.ndf.projected_area(wo).max(R::MIN_POSITIVE);
-        let shaded = self.ndf.shape().mean_area(wo).max(R::ZERO) * self.ndf.lambda(wi);
-        if self.ndf.shape().mean_area(wi) > R::ZERO { area / (area + shaded) } else { R::ZERO }
+        let plane = self.ndf.shape().mean_area(wo).max(R::ZERO);
+        move |wi| {
+            let shaded = plane * self.ndf.lambda(wi);
+            if self.ndf.shape().mean_area(wi) > R::ZERO { area / (area + shaded) } else { R::ZERO }
+        }
     }
 
     /// The facet at a node of a grid: slope $\mu + L p$ with the node's place p.

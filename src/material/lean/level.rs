@@ -54,8 +54,9 @@ pub(super) fn shares<R: Real>(k: usize, n: usize) -> (usize, [R; 3]) {
     (2 * k, [share(middle - k), share(middle), share(k + 1)])
 }
 
+/// `p - q`.
 #[inline]
-fn minus<R: Real>(p: [R; 2], q: [R; 2]) -> [R; 2] {
+pub(super) fn minus<R: Real>(p: [R; 2], q: [R; 2]) -> [R; 2] {
     [p[0] - q[0], p[1] - q[1]]
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Floor 4.
 
-use super::level::{Finer, Stored, halved, loaded};
+use super::level::{Finer, Stored, halved, loaded, minus};
 use super::texel::{Clipped, NormalTexel, SlopeCap};
 use crate::error::Error;
 use crate::scalar::{Psd, Real};
@@ -70,9 +70,7 @@ impl<R: Real> MomentMap<R> {
         slopes: Vec<[R; 2]>,
         border: Border,
     ) -> Result<Self, Error> {
-        Self::built(size, slopes, border, |finer, size, first, out| {
-            finer.merge_rows(size, first, out);
-        })
+        Self::built(size, slopes, border, |finer, size, out| finer.merge_rows(size, 0, out))
     }
 
     /// The same with the rows of each level dealt to `workers` threads (feature `std`): the result is the same to the
@@ -99,16 +97,16 @@ impl<R: Real> MomentMap<R> {
     ) -> Result<Self, Error> {
         // A thread costs more than a few thousand merges.
         const LEAST: usize = 1 << 14;
-        Self::built(size, slopes, border, |finer, size, first, out| {
+        Self::built(size, slopes, border, |finer, size, out| {
             let [columns, rows] = halved(size);
             let workers = workers.min(out.len() / LEAST).max(1);
             let band = rows.div_ceil(workers);
             if workers == 1 {
-                return finer.merge_rows(size, first, out);
+                return finer.merge_rows(size, 0, out);
             }
             std::thread::scope(|scope| {
                 for (k, out) in out.chunks_mut(band * columns).enumerate() {
-                    scope.spawn(move || finer.merge_rows(size, first + k * band, out));
+                    scope.spawn(move || finer.merge_rows(size, k * band, out));
                 }
             });
         })
@@ -135,7 +133,7 @@ impl<R: Real> MomentMap<R> {
         size: [usize; 2],
         slopes: Vec<[R; 2]>,
         border: Border,
-        merge: impl Fn(&Finer<'_, R>, [usize; 2], usize, &mut [Stored<R>]),
+        merge: impl Fn(&Finer<'_, R>, [usize; 2], &mut [Stored<R>]),
     ) -> Result<Self, Error> {
         if slopes.is_empty() || size[0].checked_mul(size[1]) != Some(slopes.len()) {
             return Err(Error::MapSize);
@@ -150,7 +148,7 @@ impl<R: Real> MomentMap<R> {
                 None => Finer::Slopes(&slopes, origin),
                 Some(moments) => Finer::Moments(moments),
             };
-            merge(&source, finer, 0, &mut level);
+            merge(&source, finer, &mut level);
             levels.push(level);
             finer = [width, height];
         }
@@ -191,26 +189,26 @@ impl<R: Real> MomentMap<R> {
     /// WGSL: none, a texture there.
     #[inline]
     pub fn texel(&self, level: usize, column: usize, row: usize) -> SlopeMoments<R> {
-        if level == 0 {
-            let [width, height] = self.size;
-            let slope = self.slopes[row.min(height - 1) * width + column.min(width - 1)];
-            return SlopeMoments::unchecked(slope, Psd::zero());
+        match level {
+            // As it is: away from the origin and back it may have been rounded.
+            0 => SlopeMoments::unchecked(self.slopes[self.place(0, column, row)], Psd::zero()),
+            level => self.absolute(self.relative(level, column, row)),
         }
-        self.absolute(self.relative(level, column, row))
+    }
+
+    /// Where a texel stands in its level.
+    #[inline]
+    fn place(&self, level: usize, column: usize, row: usize) -> usize {
+        let [width, height] = self.size(level);
+        row.min(height - 1) * width + column.min(width - 1)
     }
 
     /// The same with the mean relative to the origin.
     #[inline]
     pub(super) fn relative(&self, level: usize, column: usize, row: usize) -> SlopeMoments<R> {
-        let level = level.min(self.levels.len());
-        let [width, height] = self.size(level);
-        let place = row.min(height - 1) * width + column.min(width - 1);
-        match level {
-            0 => {
-                let [x, y] = self.slopes[place];
-                let mean = [x - self.origin[0], y - self.origin[1]];
-                SlopeMoments::unchecked(mean, Psd::zero())
-            }
+        let place = self.place(level, column, row);
+        match level.min(self.levels.len()) {
+            0 => SlopeMoments::unchecked(minus(self.slopes[place], self.origin), Psd::zero()),
             level => loaded(&self.levels[level - 1][place]),
         }
     }

@@ -49,20 +49,26 @@ impl<R: Real> MomentMap<R> {
     ///
     /// WGSL: none, a sampler does it there.
     pub fn trilinear(&self, uv: impl Into<[R; 2]>, lod: R) -> SlopeMoments<R> {
-        self.absolute(self.between_levels(uv.into(), lod))
+        let (level, share) = self.levels_around(lod);
+        self.absolute(self.between_levels(uv.into(), level, share))
     }
 
-    /// [`MomentMap::trilinear`] with the mean relative to the map's origin.
-    fn between_levels(&self, uv: [R; 2], lod: R) -> SlopeMoments<R> {
+    /// The level below a level of detail, and how far it is to the next, in [0, 1).
+    #[inline]
+    fn levels_around(&self, lod: R) -> (usize, R) {
         let last = R::lit((self.levels() - 1) as f64);
-        let (level, fraction) = floor(lod.max(R::ZERO).min(last));
-        let level = usize::try_from(level).unwrap_or_default();
+        let (level, share) = floor(lod.max(R::ZERO).min(last));
+        (usize::try_from(level).unwrap_or_default(), share)
+    }
+
+    /// A level and the next by its share; the mean is relative to the map's origin.
+    fn between_levels(&self, uv: [R; 2], level: usize, share: R) -> SlopeMoments<R> {
         let (fine, near) = self.corners(level, uv);
-        if fraction == R::ZERO {
+        if share == R::ZERO {
             return gathered(&fine, &near);
         }
         let (coarse, far) = self.corners(level + 1, uv);
-        let (near, far) = (near.map(|w| w * (R::ONE - fraction)), far.map(|w| w * fraction));
+        let (near, far) = (near.map(|w| w * (R::ONE - share)), far.map(|w| w * share));
         gathered::<R, 8>(
             &core::array::from_fn(|k| if k < 4 { fine[k] } else { coarse[k - 4] }),
             &core::array::from_fn(|k| if k < 4 { near[k] } else { far[k - 4] }),
@@ -112,16 +118,17 @@ impl<R: Real> MomentMap<R> {
         let spread = ((long - probe) * (long + probe)).max(R::ZERO).sqrt();
         let (whole, rest) = floor((spread / probe).min(most));
         let count = 1 + whole + i64::from(rest > R::ZERO);
-        let (level, between) = floor((probe * R::lit(INVERSE_ROOT_THREE)).ln() / R::TWO.ln());
+        let log_two = R::lit(core::f64::consts::LN_2);
+        let (level, between) =
+            self.levels_around((probe * R::lit(INVERSE_ROOT_THREE)).ln() / log_two);
         // Texels of levels differ fourfold in variance: the share at which the mixture has the probe's.
-        let between = ((between * R::lit(4.0).ln()).exp() - R::ONE) / R::lit(3.0);
-        let lod = R::lit(level as f64) + between;
+        let share = ((between * R::TWO * log_two).exp() - R::ONE) / R::lit(3.0);
         // Places n - 1 distances apart have the variance (n^2 - 1)/12 of one.
         let n = R::lit(count as f64);
         let reach = spread / (long * ((n - R::ONE) * (n + R::ONE)).sqrt()).max(R::MIN_POSITIVE);
         let at = |k: i64| {
             let t = (R::lit(k as f64) - R::HALF * (n - R::ONE)) * reach;
-            self.between_levels([u + t * side[0], v + t * side[1]], lod)
+            self.between_levels([u + t * side[0], v + t * side[1]], level, share)
         };
         let relative = (1..count).fold(at(0), |sum, k| {
             let share = R::ONE / R::lit((k + 1) as f64);
