@@ -1,6 +1,8 @@
 //! The command line of examples/bake: maps in and their moments out, mistakes in one line, and nothing half-written.
 #![cfg(all(feature = "std", feature = "lean"))]
 
+#[path = "bake_cli/picture.rs"]
+mod picture;
 #[path = "common/example.rs"]
 mod program;
 
@@ -8,6 +10,7 @@ use lobe::SlopeMoments;
 use lobe::material::lean::{
     Border, Float32, HeightField, MomentMap, NormalTexel, SlopeCap, Storage, Unorm16,
 };
+use picture::{SIZE, checksum, interlaced, picture, rgb, texels};
 use png::{BitDepth, ColorType};
 use serde_json::Value;
 use std::fs;
@@ -47,10 +50,7 @@ fn complains(output: &Output, parts: &[&str]) {
 
 /// A folder of the test's own, empty.
 fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("bake").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder");
-    folder
+    program::folder("bake", name)
 }
 
 fn names(folder: &Path) -> Vec<String> {
@@ -60,89 +60,6 @@ fn names(folder: &Path) -> Vec<String> {
         .collect();
     names.sort();
     names
-}
-
-fn picture([width, height]: [u32; 2], color: ColorType, depth: BitDepth, data: &[u8]) -> Vec<u8> {
-    let mut file = Vec::new();
-    let mut encoder = png::Encoder::new(&mut file, width, height);
-    encoder.set_color(color);
-    encoder.set_depth(depth);
-    encoder.set_compression(png::Compression::Fastest);
-    if color == ColorType::Indexed {
-        encoder.set_palette(vec![128, 128, 255]);
-    }
-    let mut writer = encoder.write_header().expect("a header");
-    writer.write_image_data(data).expect("pixels");
-    writer.finish().expect("an end");
-    file
-}
-
-const SIZE: [u32; 2] = [5, 3];
-
-/// Normals of an odd-sized map, none alike: up, tilted, one below the horizon.
-fn texels() -> Vec<[u8; 3]> {
-    let number = |k: u32, factor: u32| 96 + (k * factor % 64) as u8;
-    let mut texels: Vec<_> = (0..SIZE[0] * SIZE[1])
-        .map(|k| [number(k, 37), number(k, 23), 160 + (6 * k) as u8])
-        .collect();
-    texels[7] = [200, 90, 100];
-    texels
-}
-
-fn rgb(texels: &[[u8; 3]]) -> Vec<u8> {
-    picture(SIZE, ColorType::Rgb, BitDepth::Eight, texels.as_flattened())
-}
-
-/// CRC-32 as PNG has it.
-fn checksum(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(!0, |sum, &byte| {
-        (0..8).fold(sum ^ u32::from(byte), |sum, _| {
-            (sum >> 1) ^ if sum & 1 == 1 { 0xedb8_8320 } else { 0 }
-        })
-    })
-}
-
-/// The same as Adam7 has it, which the encoder does not write: seven passes of every n-th texel.
-fn interlaced(texels: &[[u8; 3]]) -> Vec<u8> {
-    const PASSES: [[usize; 4]; 7] = [
-        [0, 8, 0, 8],
-        [4, 8, 0, 8],
-        [0, 4, 4, 8],
-        [2, 4, 0, 4],
-        [0, 2, 2, 4],
-        [1, 2, 0, 2],
-        [0, 1, 1, 2],
-    ];
-    let [width, height] = SIZE.map(|n| n as usize);
-    let mut data = Vec::new();
-    for [column, columns, row, rows] in PASSES {
-        // Passes without a column have no rows either.
-        for row in (row..height).step_by(rows).filter(|_| column < width) {
-            data.push(0);
-            let line = (column..width).step_by(columns);
-            data.extend(line.flat_map(|column| texels[row * width + column]));
-        }
-    }
-    // One stored block of zlib, and its Adler-32.
-    let length = u16::try_from(data.len()).expect("a small picture");
-    let (a, b) = data.iter().fold((1, 0), |(a, b), &byte| {
-        let a = (a + u32::from(byte)) % 65521;
-        (a, (b + a) % 65521)
-    });
-    let [low, high] = length.to_le_bytes();
-    let mut zlib = vec![0x78, 1, 1, low, high, !low, !high];
-    zlib.extend(data);
-    zlib.extend((b << 16 | a).to_be_bytes());
-
-    let mut header = rgb(texels)[16..29].to_vec();
-    header[12] = 1;
-    let chunks: [(&[u8], &[u8]); 3] = [(b"IHDR", &header), (b"IDAT", &zlib), (b"IEND", &[])];
-    let chunk = |(name, data): (&[u8], &[u8])| {
-        let body = [name, data].concat();
-        let length = (data.len() as u32).to_be_bytes();
-        [&length[..], &body, &checksum(&body).to_be_bytes()].concat()
-    };
-    [b"\x89PNG\r\n\x1a\n".to_vec(), chunks.map(chunk).concat()].concat()
 }
 
 /// What the library makes of the same texels in f64.

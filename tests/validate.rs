@@ -30,10 +30,7 @@ fn text(bytes: &[u8]) -> &str {
 
 /// A folder of the test's own, empty.
 fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("validate").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    folder
+    program::folder("validate", name)
 }
 
 fn golden(stem: &str) -> String {

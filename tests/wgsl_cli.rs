@@ -6,7 +6,7 @@ mod program;
 
 use lobe::wgsl::{Item, Module, Preset, source};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
@@ -39,10 +39,7 @@ fn complaint(arguments: &[&str]) -> String {
 
 /// A folder of the test's own, empty.
 fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("wgsl").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder");
-    folder
+    program::folder("wgsl", name)
 }
 
 #[test]

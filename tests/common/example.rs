@@ -35,6 +35,14 @@ pub(crate) fn example(name: &str, sources: &[&str]) -> PathBuf {
     example
 }
 
+/// A folder of a test's own, empty, below one of its program's.
+pub(crate) fn folder(program: &str, name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(program).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
 fn build(example: &str, profile: &Path) {
     // The folder of `cargo test` is `debug`, its profile `test`.
     let name = profile.file_name().and_then(|name| name.to_str()).expect("a profile's folder");

@@ -12,6 +12,7 @@ mod footprints;
 mod frame;
 mod frontier;
 mod kernels;
+mod level;
 mod light;
 mod method;
 mod metric;

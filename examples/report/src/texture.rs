@@ -5,14 +5,13 @@ use std::io::Cursor;
 use lobe::slope::direction::normalize;
 use png::{BitDepth, ColorType, Decoder, Limits};
 
+use crate::level::{Level, mix};
 use crate::scalar::Scalar;
 use crate::vector::{Vector, along, dot, scaled, sub, tangential};
 
 /// Unit normals of a tangent-space normal map, +y up as stored, rows from the top.
 pub(crate) struct Texture {
-    width: i32,
-    height: i32,
-    normals: Vec<[f32; 3]>,
+    level: Level<3>,
 }
 
 /// No side longer than this: 16 K maps are the largest that engines ship.
@@ -67,24 +66,20 @@ impl Texture {
         if 2 * up <= normals.len() {
             return Err("not a tangent-space normal map (most texels do not point up)".into());
         }
-        // Both sides are at most LONGEST_SIDE.
-        Ok(Self { width: width.cast_signed(), height: height.cast_signed(), normals })
+        Ok(Self { level: Level::new([width as usize, height as usize], normals) })
     }
 
     /// The normal at texel coordinates (x to the right, y down), before normalisation.
-    ///
-    /// Texel (i, j) has its centre at (i + 1/2, j + 1/2), as on a GPU.
     #[inline]
     pub(crate) fn lookup<R: Scalar>(&self, x: R, y: R) -> Vector<R> {
-        let ([above, below], [fx, fy]) = self.texels(x, y);
-        mix(mix(above[0], above[1], fx), mix(below[0], below[1], fx), fy)
+        self.level.between([x, y])
     }
 
     /// Derivative of the normalised [`Texture::lookup`] along a step, in texels. At the borders of texels,
     /// where there are two, one of them.
     #[inline]
     pub(crate) fn turn<R: Scalar>(&self, at: [R; 2], step: [R; 2]) -> Vector<R> {
-        let ([above, below], [fx, fy]) = self.texels(at[0], at[1]);
+        let ([above, below], [fx, fy]) = self.level.corners(at);
         let (upper, lower) = (mix(above[0], above[1], fx), mix(below[0], below[1], fx));
         let across = mix(sub(above[1], above[0]), sub(below[1], below[0]), fy);
         let change = along(scaled(step[0], across), step[1], sub(lower, upper));
@@ -93,28 +88,14 @@ impl Texture {
         scaled(inverse, tangential(change, scaled(inverse, normal)))
     }
 
-    /// The four texels around a point, rows first, and the point's fractions between them.
-    #[inline]
-    fn texels<R: Scalar>(&self, x: R, y: R) -> ([[Vector<R>; 2]; 2], [R; 2]) {
-        let (column, fx) = (x - R::HALF).split();
-        let (row, fy) = (y - R::HALF).split();
-        let columns = neighbours(column, self.width);
-        let rows = neighbours(row, self.height);
-        let texel = |column: usize, row: usize| {
-            self.normals[row * self.width.unsigned_abs() as usize + column]
-                .map(|c| R::lit(f64::from(c)))
-        };
-        (rows.map(|row| columns.map(|column| texel(column, row))), [fx, fy])
-    }
-
     /// Unit normals, rows from the top.
     pub(crate) fn normals(&self) -> &[[f32; 3]] {
-        &self.normals
+        self.level.texels()
     }
 
     /// Width and height in texels.
-    pub(crate) fn size(&self) -> [i32; 2] {
-        [self.width, self.height]
+    pub(crate) fn size(&self) -> [usize; 2] {
+        self.level.size()
     }
 }
 
@@ -125,20 +106,6 @@ fn not_rgb(kind: &str) -> String {
 /// A texel's normal at unit length, by way of f64: 16 bits keep all they have.
 fn unit(texel: [u16; 3], max: f64) -> [f32; 3] {
     normalize(texel.map(|v| 2.0 * f64::from(v) / max - 1.0)).map(|c| c as f32)
-}
-
-/// From `a` at 0 to `b` at 1.
-#[inline]
-fn mix<R: Scalar>(a: Vector<R>, b: Vector<R>, t: R) -> Vector<R> {
-    along(a, t, sub(b, a))
-}
-
-/// A texel index and the next one, repeated with the given period.
-#[inline]
-fn neighbours(index: i32, period: i32) -> [usize; 2] {
-    let first = index.rem_euclid(period).unsigned_abs() as usize;
-    let second = first + 1;
-    [first, if second == period.unsigned_abs() as usize { 0 } else { second }]
 }
 
 #[cfg(test)]
@@ -168,7 +135,7 @@ mod tests {
         let rgba = encode(1, 1, ColorType::Rgba, BitDepth::Eight, &[255, 128, 204, 7]);
         let wide: Vec<u8> = [255_u8, 128, 204].iter().flat_map(|&b| [b, b]).collect();
         let wide = encode(1, 1, ColorType::Rgb, BitDepth::Sixteen, &wide);
-        let [a, b, c] = [rgb, rgba, wide].map(|file| Texture::decode(&file).unwrap().normals[0]);
+        let [a, b, c] = [rgb, rgba, wide].map(|file| Texture::decode(&file).unwrap().normals()[0]);
         assert_eq!(a, b);
         assert_eq!(a, c); // 257 v / 65535 = v / 255
         assert!((a[0] * a[0] + a[1] * a[1] + a[2] * a[2] - 1.0).abs() < 1e-6);

@@ -57,10 +57,7 @@ impl Quads {
     }
 }
 
-/// Times geometry, motions and the shading of every method.
-///
-/// Rounds are interleaved, so that a change of clock or a busy neighbour touches all methods alike, and
-/// each begins with another method; the first is a warm-up and does not count.
+/// Times geometry, motions and the shading of every method, in nanoseconds per sample.
 pub(crate) fn measure(
     scene: &Scene<f32>,
     size: Size,
@@ -73,50 +70,44 @@ pub(crate) fn measure(
     let count = quads.places.len();
     let (mut samples, mut motions) = (quads.here.clone(), quads.motions.clone());
     let mut out = vec![0.0; count];
-    let tasks = methods.len() + 2;
-    let mut times = vec![Vec::with_capacity(rounds); tasks];
-    for round in 0..=rounds {
-        for turn in 0..tasks {
-            let task = (round + turn) % tasks;
-            let start = Instant::now();
-            if let Some(method) = methods.get(task) {
-                let rows = Rows { here: &quads.here, other: &quads.other, motions: &quads.motions };
-                method.shade(black_box(surfacing), black_box(&rows), &mut out);
-                black_box(&mut out);
-            } else if task == methods.len() {
-                for (sample, place) in samples.iter_mut().zip(&quads.places) {
-                    *sample = scene.sample(place[0], place[1]);
-                }
-                black_box(&mut samples);
-            } else {
-                for ((sample, motions), place) in
-                    samples.iter_mut().zip(&mut motions).zip(&quads.places)
-                {
-                    (*sample, *motions) = scene.sample_in_motion(place[0], place[1]);
-                }
-                black_box((&mut samples, &mut motions));
+    let mut shading = in_turns(methods.len() + 2, rounds, |task| {
+        if let Some(method) = methods.get(task) {
+            let rows = Rows { here: &quads.here, other: &quads.other, motions: &quads.motions };
+            method.shade(black_box(surfacing), black_box(&rows), &mut out);
+            black_box(&mut out);
+        } else if task == methods.len() {
+            for (sample, place) in samples.iter_mut().zip(&quads.places) {
+                *sample = scene.sample(place[0], place[1]);
             }
-            let nanoseconds = start.elapsed().as_secs_f64() * 1e9 / count as f64;
-            if round > 0 {
-                times[task].push(nanoseconds);
+            black_box(&mut samples);
+        } else {
+            for ((sample, motions), place) in
+                samples.iter_mut().zip(&mut motions).zip(&quads.places)
+            {
+                (*sample, *motions) = scene.sample_in_motion(place[0], place[1]);
             }
+            black_box((&mut samples, &mut motions));
         }
+    });
+    for time in &mut shading {
+        *time /= count as f64;
     }
-    let mut shading: Vec<_> = times.into_iter().map(median).collect();
     let in_motion = shading.pop().unwrap_or_default();
     let geometry = shading.pop().unwrap_or_default();
     Timing { geometry, motion: (in_motion - geometry).max(0.0), shading }
 }
 
-/// Medians of nanoseconds of tasks that take turns, each round beginning with another one.
-pub(crate) fn in_turns(tasks: &mut [Box<dyn FnMut() + '_>], rounds: usize) -> Vec<f64> {
-    let count = tasks.len();
+/// Medians of the nanoseconds of `count` tasks, which take turns.
+///
+/// Rounds are interleaved, so that a change of clock or a busy neighbour touches all tasks alike, and
+/// each begins with another task; the first is a warm-up and does not count.
+pub(crate) fn in_turns(count: usize, rounds: usize, mut run: impl FnMut(usize)) -> Vec<f64> {
     let mut times = vec![Vec::with_capacity(rounds); count];
     for round in 0..=rounds {
         for turn in 0..count {
             let task = (round + turn) % count;
             let start = Instant::now();
-            tasks[task]();
+            run(task);
             let nanoseconds = start.elapsed().as_secs_f64() * 1e9;
             if round > 0 {
                 times[task].push(nanoseconds);
@@ -127,7 +118,7 @@ pub(crate) fn in_turns(tasks: &mut [Box<dyn FnMut() + '_>], rounds: usize) -> Ve
 }
 
 /// The middle one, or the mean of the middle two.
-pub(crate) fn median(mut values: Vec<f64>) -> f64 {
+fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     match values.len() {
         0 => 0.0,

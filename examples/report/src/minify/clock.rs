@@ -1,19 +1,17 @@
 //! Nanoseconds per pixel: ray, texture lookups and shading, on one thread.
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use super::ground::Ground;
 use super::method::Method;
 use crate::camera::Size;
 use crate::method::Distribution;
-use crate::timing::median;
+use crate::timing::in_turns;
 
 /// Pixels per pass, about: so few that even those of 64 samples mostly end before another process interrupts them.
 const PIXELS: usize = 256;
 
-/// Medians over the rounds for every method, which take turns and begin with another each round; the first round is
-/// a warm-up.
+/// Of every method, the methods taking turns.
 pub(super) fn measure(
     methods: &[Method],
     kind: Distribution,
@@ -26,19 +24,11 @@ pub(super) fn measure(
     let rows: Vec<_> = (step / 2..size.height).step_by(step).collect();
     let count = (rows.len() * size.width).max(1) as f64;
     let mut out = vec![0.0; size.width];
-    let mut times = vec![Vec::with_capacity(rounds); methods.len()];
-    for round in 0..=rounds {
-        for turn in 0..methods.len() {
-            let index = (round + turn) % methods.len();
-            let start = Instant::now();
-            for &y in &rows {
-                methods[index].row(kind, black_box(ground), y, &mut out);
-                black_box(&mut out);
-            }
-            if round > 0 {
-                times[index].push(start.elapsed().as_secs_f64() * 1e9 / count);
-            }
+    let times = in_turns(methods.len(), rounds, |method| {
+        for &y in &rows {
+            methods[method].row(kind, black_box(ground), y, &mut out);
+            black_box(&mut out);
         }
-    }
-    times.into_iter().map(median).collect()
+    });
+    times.into_iter().map(|time| time / count).collect()
 }

@@ -6,7 +6,6 @@
 mod clock;
 mod ground;
 mod lean;
-mod level;
 mod method;
 mod panel;
 mod reference;

@@ -4,7 +4,7 @@ use lobe::Error;
 use lobe::material::lean::{Border, MomentMap, SlopeCap};
 use lobe::slope::direction::normal_of;
 
-use super::level::{Chain, Level};
+use crate::level::{Chain, Level};
 use crate::texture::Texture;
 
 /// The steepest slope, 84 degrees: maps of 8 bits hold nothing between it and the horizon but rounding.
@@ -36,8 +36,7 @@ impl Texels {
         });
         let slopes: Vec<_> = slopes.collect();
         let clipped = clipped as f64 / slopes.len() as f64;
-        let size = texture.size().map(|side| side.unsigned_abs() as usize);
-        Ok(Self { clipped, ..Self::of_slopes(size, slopes)? })
+        Ok(Self { clipped, ..Self::of_slopes(texture.size(), slopes)? })
     }
 
     pub(super) fn of_slopes(size: [usize; 2], slopes: Vec<[f32; 2]>) -> Result<Self, Error> {

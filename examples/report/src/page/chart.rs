@@ -26,6 +26,16 @@ pub(super) struct Line {
     pub(super) points: Vec<[f64; 2]>,
 }
 
+/// Ends of an axis that holds all positive heights of some lines and another one, with `room` beyond them, a factor; a
+/// decade on either side of 1 where there is nothing, which has no logarithm.
+pub(super) fn around(lines: &[Line], other: Option<f64>, room: f64) -> [f64; 2] {
+    let heights = lines.iter().flat_map(|line| line.points.iter().map(|point| point[1]));
+    let positive = heights.filter(|height| *height > 0.0 && height.is_finite()).chain(other);
+    let (low, high) = positive
+        .fold((f64::INFINITY, 0.0_f64), |(low, high), height| (low.min(height), high.max(height)));
+    if low < high { [low / room, high * room] } else { [0.1, 10.0] }
+}
+
 /// What one axis shows.
 #[derive(Clone, Copy)]
 pub(super) struct Range {

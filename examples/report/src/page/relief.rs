@@ -21,23 +21,34 @@ pub(super) const GRIDS: [(Family, usize); 12] = [
     (Family::Hermite, 9),
 ];
 
-const HEADERS: &[&str] = &[
-    "\u{3c3}\u{3b8}, \u{3c3}\u{3c6}",
-    "Noise",
-    "N = 3",
-    "5",
-    "9",
-    "32",
-    "128",
-    "Cells 3",
-    "5",
-    "9",
-    "32",
-    "Hermite 3",
-    "5",
-    "9",
-    "Normal map",
-];
+/// Their headers.
+const SIZES: [&str; 12] =
+    ["N = 3", "5", "9", "32", "128", "Cells 3", "5", "9", "32", "Hermite 3", "5", "9"];
+
+const DEVIATIONS: &str = "\u{3c3}\u{3b8}, \u{3c3}\u{3c6}";
+const HEADERS: [&str; 15] = beside_sizes([DEVIATIONS, "Noise"], ["Normal map"]);
+const AREA_HEADERS: [&str; 13] = beside_sizes([DEVIATIONS], []);
+
+/// The grids' headers between others.
+const fn beside_sizes<const BEFORE: usize, const AFTER: usize, const ALL: usize>(
+    before: [&'static str; BEFORE],
+    after: [&'static str; AFTER],
+) -> [&'static str; ALL] {
+    assert!(ALL == BEFORE + SIZES.len() + AFTER);
+    let mut all = [""; ALL];
+    let mut k = 0;
+    while k < ALL {
+        all[k] = if k < BEFORE {
+            before[k]
+        } else if k < BEFORE + SIZES.len() {
+            SIZES[k - BEFORE]
+        } else {
+            after[k - BEFORE - SIZES.len()]
+        };
+        k += 1;
+    }
+    all
+}
 
 /// A way to look up and to divide, with the table's title.
 const TITLES: [(Way, &str); 5] = [
@@ -160,7 +171,7 @@ fn errors(relief: &Relief, way: Way) -> Table {
     });
     let starts = ["ns per pixel".into(), String::new()];
     let cells = starts.into_iter().chain(times).chain([String::new()]).collect();
-    Table { headers: HEADERS, rows: spheres.chain([Line { cells, class: "plain" }]).collect() }
+    Table { headers: &HEADERS, rows: spheres.chain([Line { cells, class: "plain" }]).collect() }
 }
 
 /// Mean radiance over the reference's.
@@ -174,7 +185,7 @@ fn biases(relief: &Relief) -> Table {
         let ends = [number(sphere.normal_mapping.bias)];
         Line { cells: starts.into_iter().chain(grids).chain(ends).collect(), class: "" }
     });
-    Table { headers: HEADERS, rows: rows.collect() }
+    Table { headers: &HEADERS, rows: rows.collect() }
 }
 
 /// What the grids miss of the projected area.
@@ -186,22 +197,7 @@ fn areas(relief: &Relief) -> Table {
         });
         Line { cells: [name(sphere)].into_iter().chain(grids).collect(), class: "" }
     });
-    let headers = &[
-        "\u{3c3}\u{3b8}, \u{3c3}\u{3c6}",
-        "N = 3",
-        "5",
-        "9",
-        "32",
-        "128",
-        "Cells 3",
-        "5",
-        "9",
-        "32",
-        "Hermite 3",
-        "5",
-        "9",
-    ];
-    Table { headers, rows: rows.collect() }
+    Table { headers: &AREA_HEADERS, rows: rows.collect() }
 }
 
 /// The lamp alone, and all lights with shadows.
@@ -225,7 +221,7 @@ fn closed(relief: &Relief) -> Table {
         Line { cells, class: "" }
     });
     let headers = &[
-        "\u{3c3}\u{3b8}, \u{3c3}\u{3c6}",
+        DEVIATIONS,
         "Lamp: noise",
         "closed form, a point",
         "all of the lamp",

@@ -1,7 +1,7 @@
 //! Filters in motion on the page: peaks over frames, a table by flicker, what it says; the same as text.
 
 use super::axis::Scale;
-use super::chart::{Chart, Line as Curved, Range};
+use super::chart::{Chart, Line as Curved, Range, around};
 use super::escape;
 use super::kernels::drawn;
 use super::table::{Line, Table, significant};
@@ -121,12 +121,7 @@ fn chart(
     right: Option<f64>,
     lines: Vec<Curved>,
 ) -> Chart {
-    let values = lines.iter().flat_map(|line| line.points.iter().map(|point| point[1]));
-    let positive = values.filter(|value| *value > 0.0 && value.is_finite()).chain(right);
-    let (low, high) = positive
-        .fold((f64::INFINITY, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
-    // A frame without any light has no logarithm; nor has a sequence of such frames.
-    let [low, high] = if low < high { [low / ROOM, high * ROOM] } else { [0.1, 10.0] };
+    let [low, high] = around(&lines, right, ROOM);
     let scale = if high > LONG * low { Scale::Logarithmic } else { Scale::Linear };
     Chart {
         title: format!("{title} over frames, {}", sequence.name),

@@ -1,7 +1,7 @@
 //! A slow zoom on the page: peaks over frames, a table by how far they stray, what it says; the same as text.
 
 use super::axis::Scale;
-use super::chart::{Chart, Line as Curved, Range};
+use super::chart::{Chart, Line as Curved, Range, around};
 use super::escape;
 use super::kernels::drawn;
 use super::minify::DRAWN;
@@ -75,12 +75,7 @@ fn curve(zoom: &Zoom, name: &str, class: &str, values: &[f64]) -> Curved {
 }
 
 fn chart(map: &Minified, title: &'static str, right: Option<f64>, lines: Vec<Curved>) -> Chart {
-    let values = lines.iter().flat_map(|line| line.points.iter().map(|point| point[1]));
-    let (low, high) = values
-        .filter(|v| *v > 0.0)
-        .chain(right)
-        .fold((f64::INFINITY, 0.0_f64), |(low, high), y| (low.min(y), high.max(y)));
-    let ends = if low < high { [low / 1.15, high * 1.15] } else { [0.1, 10.0] };
+    let ends = around(&lines, right, 1.15);
     let ratios = &map.zoom.ratios;
     Chart {
         title: format!("{title} over texels per pixel, {}", map.name),

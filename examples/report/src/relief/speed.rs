@@ -44,37 +44,28 @@ impl Speed {
         let pixels: Vec<_> = spots.map(|spot| Pixel { spot: spot.cast(), lobe }).collect();
         let (whole, lamp) = (Sky::whole().cast::<f32>(), Sky::lamp().cast::<f32>());
 
-        let mut tasks: Vec<Box<dyn FnMut() + '_>> = Vec::new();
-        for rule in rules {
-            for way in Way::ALL {
-                let (pixels, whole) = (&pixels, &whole);
-                tasks.push(Box::new(move || {
-                    for pixel in pixels {
-                        black_box(rule.grid.shade(
-                            black_box(pixel),
-                            black_box(whole),
-                            way,
-                            Shadowing::MaskingOnly,
-                        ));
-                    }
-                }));
-            }
-        }
-        tasks.push(Box::new(|| {
+        let ways = Way::ALL.len();
+        let times = in_turns(rules.len() * ways + 1, rounds, |task| {
             for pixel in &pixels {
-                black_box(lit(black_box(pixel), black_box(&lamp), Shadowing::MaskingOnly));
+                let (pixel, masking) = (black_box(pixel), Shadowing::MaskingOnly);
+                match rules.get(task / ways) {
+                    Some(rule) => {
+                        let way = Way::ALL[task % ways];
+                        black_box(rule.grid.shade(pixel, black_box(&whole), way, masking));
+                    }
+                    None => {
+                        black_box(lit(pixel, black_box(&lamp), masking));
+                    }
+                }
             }
-        }));
-        let times = in_turns(&mut tasks, rounds);
-        drop(tasks);
+        });
         let per_pixel: Vec<_> = times.into_iter().map(|t| t / pixels.len() as f64).collect();
-        let (grids, closed) = per_pixel.split_at(rules.len() * Way::ALL.len());
-        let grids =
-            rules.iter().zip(grids.chunks_exact(Way::ALL.len())).map(|(rule, times)| Clocked {
-                family: rule.family,
-                count: rule.count,
-                times: std::array::from_fn(|way| times[way]),
-            });
+        let (grids, closed) = per_pixel.split_at(rules.len() * ways);
+        let grids = rules.iter().zip(grids.chunks_exact(ways)).map(|(rule, times)| Clocked {
+            family: rule.family,
+            count: rule.count,
+            times: std::array::from_fn(|way| times[way]),
+        });
         Ok(Self { grids: grids.collect(), closed: closed.first().copied().unwrap_or_default() })
     }
 

@@ -4,7 +4,7 @@ mod finding;
 mod tables;
 
 use super::axis::Scale;
-use super::chart::{Chart, Line as Curved, Range};
+use super::chart::{Chart, Line as Curved, Range, around};
 use super::kernels::drawn;
 use super::picture::Tone;
 use super::table::significant;
@@ -122,10 +122,7 @@ fn chart(map: &Minified, distribution: Distribution) -> Chart {
     let mut lines: Vec<_> =
         DRAWN.iter().map(|&(name, class)| curve(name, class, &|panel| panel.rmse(name))).collect();
     lines.push(curve("reference\u{2019}s noise", "truth third", &|panel| panel.noise));
-    let values = lines.iter().flat_map(|line| line.points.iter().map(|point| point[1]));
-    let (low, high) =
-        values.fold((f64::INFINITY, 0.0_f64), |(low, high), y| (low.min(y), high.max(y)));
-    let ends = if low < high { [low / 1.2, high * 1.2] } else { [0.1, 10.0] };
+    let ends = around(&lines, None, 1.2);
     Chart {
         title: format!("RMSE over texels per pixel, {}, {}", map.name, distribution.name()),
         x: Range {

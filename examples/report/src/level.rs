@@ -3,7 +3,7 @@
 use crate::scalar::Scalar;
 
 /// Texels of N numbers, rows first.
-pub(super) struct Level<const N: usize> {
+pub(crate) struct Level<const N: usize> {
     size: [usize; 2],
     /// The same: what repeats has signs.
     period: [i32; 2],
@@ -12,18 +12,18 @@ pub(super) struct Level<const N: usize> {
 
 impl<const N: usize> Level<N> {
     /// As many texels as the sides say.
-    pub(super) fn new(size: [usize; 2], texels: Vec<[f32; N]>) -> Self {
+    pub(crate) fn new(size: [usize; 2], texels: Vec<[f32; N]>) -> Self {
         debug_assert_eq!(size[0] * size[1], texels.len());
         // Sides are at most 16,384.
         let period = size.map(|side| i32::try_from(side).unwrap_or(i32::MAX));
         Self { size, period, texels }
     }
 
-    pub(super) fn size(&self) -> [usize; 2] {
+    pub(crate) fn size(&self) -> [usize; 2] {
         self.size
     }
 
-    pub(super) fn texels(&self) -> &[[f32; N]] {
+    pub(crate) fn texels(&self) -> &[[f32; N]] {
         &self.texels
     }
 
@@ -34,25 +34,39 @@ impl<const N: usize> Level<N> {
         [uv[0] * width, uv[1] * height]
     }
 
-    /// The texel that holds a point.
+    /// The texel that holds a point, in texture coordinates.
     #[inline]
-    pub(super) fn nearest<R: Scalar>(&self, uv: [R; 2]) -> [f32; N] {
+    pub(crate) fn nearest<R: Scalar>(&self, uv: [R; 2]) -> [f32; N] {
         let [x, y] = self.scaled(uv).map(|t| t.split().0);
-        let [column, row] = [wrapped(x, self.period[0]), wrapped(y, self.period[1])];
+        let [[column, _], [row, _]] =
+            [neighbours(x, self.period[0]), neighbours(y, self.period[1])];
         self.texels[row * self.size[0] + column]
     }
 
-    /// Between the four texels around a point; texel (i, j) has its centre at (i + 1/2, j + 1/2).
+    /// The four texels around a point, rows first, and the point's fractions between them; coordinates count texels, and
+    /// texel (i, j) has its centre at (i + 1/2, j + 1/2), as on a GPU.
     #[inline]
-    pub(super) fn bilinear<R: Scalar>(&self, uv: [R; 2]) -> [R; N] {
-        let [(x, fx), (y, fy)] = self.scaled(uv).map(|t| (t - R::HALF).split());
-        let columns = [x, x + 1].map(|k| wrapped(k, self.period[0]));
-        let [above, below] = [y, y + 1].map(|k| {
-            let row = wrapped(k, self.period[1]) * self.size[0];
-            let [a, b] = columns.map(|column| self.texels[row + column]);
-            mix(a.map(lit), b.map(lit), fx)
-        });
-        mix(above, below, fy)
+    pub(crate) fn corners<R: Scalar>(&self, at: [R; 2]) -> ([[[R; N]; 2]; 2], [R; 2]) {
+        let [(column, fx), (row, fy)] = at.map(|t| (t - R::HALF).split());
+        let columns = neighbours(column, self.period[0]);
+        let rows = neighbours(row, self.period[1]);
+        let texel = |column: usize, row: usize| {
+            self.texels[row * self.size[0] + column].map(|c| R::lit(f64::from(c)))
+        };
+        (rows.map(|row| columns.map(|column| texel(column, row))), [fx, fy])
+    }
+
+    /// Between the four texels around a point, whose coordinates count texels.
+    #[inline]
+    pub(crate) fn between<R: Scalar>(&self, at: [R; 2]) -> [R; N] {
+        let ([above, below], [fx, fy]) = self.corners(at);
+        mix(mix(above[0], above[1], fx), mix(below[0], below[1], fx), fy)
+    }
+
+    /// The same in texture coordinates.
+    #[inline]
+    pub(crate) fn bilinear<R: Scalar>(&self, uv: [R; 2]) -> [R; N] {
+        self.between(self.scaled(uv))
     }
 
     /// The next coarser level: means by area, so that odd sides lose nothing.
@@ -75,10 +89,10 @@ impl<const N: usize> Level<N> {
 }
 
 /// A level and all its coarser ones.
-pub(super) struct Chain<const N: usize>(Vec<Level<N>>);
+pub(crate) struct Chain<const N: usize>(Vec<Level<N>>);
 
 impl<const N: usize> Chain<N> {
-    pub(super) fn of(finest: Level<N>) -> Self {
+    pub(crate) fn of(finest: Level<N>) -> Self {
         let mut levels = vec![finest];
         while let Some(last) = levels.last()
             && last.size != [1, 1]
@@ -90,7 +104,7 @@ impl<const N: usize> Chain<N> {
 
     /// Bilinear on the two levels around `lod`, and between them.
     #[inline]
-    pub(super) fn trilinear<R: Scalar>(&self, uv: [R; 2], lod: R) -> [R; N] {
+    pub(crate) fn trilinear<R: Scalar>(&self, uv: [R; 2], lod: R) -> [R; N] {
         let last = self.0.len() - 1;
         let (level, between) = lod.max(R::ZERO).min(R::lit(last as f64)).split();
         let level = level.unsigned_abs() as usize;
@@ -111,20 +125,18 @@ fn shares(many: usize, few: usize) -> Vec<Vec<(usize, f32)>> {
     (0..few).map(of).collect()
 }
 
+/// From `a` at 0 to `b` at 1.
 #[inline]
-fn lit<R: Scalar>(x: f32) -> R {
-    R::lit(f64::from(x))
-}
-
-#[inline]
-fn mix<R: Scalar, const N: usize>(a: [R; N], b: [R; N], t: R) -> [R; N] {
+pub(crate) fn mix<R: Scalar, const N: usize>(a: [R; N], b: [R; N], t: R) -> [R; N] {
     std::array::from_fn(|k| a[k] + t * (b[k] - a[k]))
 }
 
-/// An index in a texture that repeats.
+/// A texel index and the next one, repeated with the given period.
 #[inline]
-fn wrapped(index: i32, period: i32) -> usize {
-    index.rem_euclid(period).unsigned_abs() as usize
+fn neighbours(index: i32, period: i32) -> [usize; 2] {
+    let first = index.rem_euclid(period).unsigned_abs() as usize;
+    let second = first + 1;
+    [first, if second == period.unsigned_abs() as usize { 0 } else { second }]
 }
 
 #[cfg(test)]
