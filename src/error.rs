@@ -76,6 +76,14 @@ pub enum Error {
     Spacing,
     /// The range of a storage is outside `(1e-9, 1e9]`, of halves `(1e-9, 255]`, or NaN.
     Range,
+    /// A share of roughness is outside `(0, 1]` or NaN.
+    Fraction,
+    /// `density` is outside `[1e-18, 1e18]` or NaN.
+    Density,
+    /// `variation` is outside `[0, 4]` or NaN.
+    Variation,
+    /// `share` is outside `[0, 1]` or NaN.
+    Share,
 }
 
 impl fmt::Display for Error {
@@ -112,6 +120,10 @@ impl fmt::Display for Error {
             Self::Exponent => "exponent must lie in [0, 1e9]",
             Self::Spacing => "spacing of a grid must lie in (0, 10], and it needs a node",
             Self::Range => "range of stored slopes must lie in (1e-9, 1e9], of halves (1e-9, 255]",
+            Self::Fraction => "fractions of roughness must lie in (0, 1]",
+            Self::Density => "density of details must lie in [1e-18, 1e18]",
+            Self::Variation => "variation must lie in [0, 4]",
+            Self::Share => "share must lie in [0, 1]",
         })
     }
 }

@@ -43,6 +43,8 @@
 //!   roughness for G-buffers, area lights, what engines ship, the papers' formulas as printed.
 //! - [`material::lean`] makes moments of normal and displacement maps, with mip chains and textures; [`material::leadr`]
 //!   shades displaced surfaces under lights and environments.
+//! - [`material::glint`] has discrete details: snow, glitter, brushed metal, one evaluation a pixel, the mean of which is
+//!   the smooth lobe.
 //! - [`shade`] puts it together for a renderer that wants one call per light.
 //! - [`mod@wgsl`] has all of it for shaders, and gives out what one needs.
 //!
@@ -64,6 +66,8 @@
 //! | $c(w)$ | $w_z - \mu \cdot w_{xy}$, area of the mean plane seen from $w$ | area |
 //! | $\Lambda$, `lambda` | $\sigma/c - 1$ (Smith) | 1 |
 //! | `u`, `v` | derivatives of the slope, a footprint's sides | slope / pixel |
+//! | `uv`, `right`, `up` | texture coordinates of a pixel, and their change to the next ones | texture; texture / pixel |
+//! | $A_g = A_m + A_l$ | roughness from afar, spread of details, one detail (glints) | slope squared |
 //!
 //! Angles are radians, counter-clockwise. Matrices are rows first. Directions and slopes enter as `impl
 //! Into<[R; 3]>` and `impl Into<[R; 2]>`: arrays, and the vectors of glam, nalgebra, mint and others.
@@ -94,6 +98,7 @@
 //! | `published` (default) | what papers and engines have, to compare: `filter::preset`, `filter::kaplanyan_*` |
 //! | `lean` (default) | normal and displacement maps as moments, [`material::lean`]; needs an allocator |
 //! | `leadr` (default) | displaced surfaces under lights and environments, [`material::leadr`] |
+//! | `glint` (default) | discrete details on nested grids, [`material::glint`] |
 //! | `wgsl` (default) | the same functions in WGSL, as text: [`mod@wgsl`]; needs an allocator |
 //! | `probe` | precisions that measure (operations, contraction, rounding): for reports and checks, not for shading |
 //! | `glam` | `From` and `TryFrom` between [`Psd`] and `glam::Mat2`, `glam::DMat2` |

@@ -12,6 +12,11 @@ use crate::slope::direction::half_vector;
 use crate::slope::{Footprint, Full, Lobe, Shape, Tilted};
 use core::marker::PhantomData;
 
+#[cfg(feature = "glint")]
+mod glints;
+#[cfg(feature = "glint")]
+pub use glints::{GlintMaterial, GlintShading};
+
 /// A lobe with a distribution and a Fresnel term.
 ///
 /// ```

@@ -20,7 +20,7 @@ use std::sync::OnceLock;
 
 fn example() -> &'static Path {
     static EXAMPLE: OnceLock<PathBuf> = OnceLock::new();
-    EXAMPLE.get_or_init(|| program::example("bake", &["examples/bake", "src"]))
+    EXAMPLE.get_or_init(|| program::example("bake", &["examples/bake", "examples/common", "src"]))
 }
 
 fn bake(input: &Path, out: &Path, options: &[&str]) -> Output {

@@ -33,6 +33,11 @@ fn single_precision_agrees_with_double() {
 }
 
 #[test]
+fn glints_are_numbers() {
+    replay("glints", fuzz_laws::glints);
+}
+
+#[test]
 fn maps_and_surfaces_stay_valid() {
     replay("maps", fuzz_laws::maps);
 }

@@ -1,5 +1,5 @@
 //! The mirror's bijection: each public function has its twin or a reason, docs name each other, constants are bit-equal.
-#![cfg(all(feature = "wgsl", feature = "published"))]
+#![cfg(all(feature = "wgsl", feature = "published", feature = "glint"))]
 #![allow(clippy::incompatible_msrv, reason = "tests need a newer compiler, for their oracles")]
 
 #[path = "mirror/rust.rs"]

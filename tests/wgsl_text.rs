@@ -54,7 +54,7 @@ fn complaint(path: &str, line: &str) -> Option<String> {
         if listed(LOOSE, word) && after.starts_with('(') && !is_exact {
             return Some(format!("the builtin {word}"));
         }
-        if listed(DERIVATIVES, word) && path != "fragment" {
+        if listed(DERIVATIVES, word) && !path.starts_with("fragment") {
             return Some(format!("the derivative {word}"));
         }
         let is_name = word.starts_with(|c: char| c.is_alphabetic() || c == '_');

@@ -4,7 +4,7 @@
 //! G-buffer has them; `per_sample` cases build them inside.
 
 use super::samples::{COUNT, Regime, Sample, samples};
-use super::{hand_written, maps};
+use super::{glints, hand_written, maps};
 use lobe::filter::{self, DiskKernel};
 use lobe::{
     AxisAligned, Beckmann, Footprint, Full, Ggx, Isotropic, Kernel, PixelFilter, Roughness, Tilted,
@@ -141,5 +141,6 @@ pub(crate) fn all() -> Vec<Case> {
         cases.extend(footprints(regime));
     }
     cases.extend(maps::cases());
+    cases.extend(glints::cases());
     cases
 }

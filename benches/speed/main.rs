@@ -5,6 +5,7 @@
 //! sides. `cargo bench -- --quick` does the same in seconds; any other argument is criterion's filter.
 
 mod cases;
+mod glints;
 mod hand_written;
 mod maps;
 mod ratios;

@@ -1,8 +1,8 @@
 //! The table of ratios at the end of a run.
 
 use super::cases::Case;
-use super::maps;
 use super::samples::{COUNT, Regime};
+use super::{glints, maps};
 use std::time::Instant;
 
 /// A promise: `subject` takes no longer than `rival` in the same group.
@@ -35,6 +35,18 @@ const MAPS: [(&str, &str); 7] = [
     ("along_eight_probes", "trilinear"),
     ("raw_moments_shaded", "bilinear"),
     ("facets_five_by_five", "raw_moments_shaded"),
+];
+
+/// Glints by the pixel's aspect, by the number of details, and by mode.
+const GLINTS: [(&str, &str); 8] = [
+    ("steep", "smooth_lobe"),
+    ("grazing", "steep"),
+    ("longest", "steep"),
+    ("few_details", "steep"),
+    ("many_details", "steep"),
+    ("varied", "steep"),
+    ("published", "steep"),
+    ("light_blur", "smooth_lobe"),
 ];
 
 /// Rounds of a comparison, and passes over all samples in each turn of a round.
@@ -87,6 +99,9 @@ pub(crate) fn print(cases: &mut [Case]) {
     }
     for (subject, rival) in MAPS {
         print_ratio(cases, maps::GROUP, subject, rival, "");
+    }
+    for (subject, rival) in GLINTS {
+        print_ratio(cases, glints::GROUP, subject, rival, "");
     }
     for regime in Regime::ALL {
         print_ratio(cases, regime.name(), "appendix_a_by_hand", "appendix_a", "");

@@ -1,6 +1,6 @@
 //! The files of each level: written by rows, several at a time.
 
-use super::output::Folder;
+use super::folder::Folder;
 use super::progress::Progress;
 use lobe::material::lean::{Float32, MomentMap, Storage, Unorm16};
 use png::{BitDepth, ColorType, Compression, Encoder};

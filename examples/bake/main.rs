@@ -5,24 +5,26 @@
 //! Exit status: 0; 2 for what cannot be read, baked or written, 130 after Ctrl-C or SIGTERM; then nothing is written.
 
 mod encode;
+#[path = "../common/folder.rs"]
+mod folder;
 mod options;
-mod output;
 mod picture;
+#[path = "../common/progress.rs"]
 mod progress;
 mod slopes;
 mod summary;
 mod work;
 
 use encode::Levels;
+use folder::Folder;
 use lobe::material::lean::{Border, MomentMap, Unorm16};
 use options::Options;
-use output::Folder;
 use picture::{Content, Picture};
 use progress::Progress;
 use slopes::Slopes;
 use std::process::ExitCode;
 use std::time::Instant;
-use summary::{Seconds, Summary};
+use summary::{DESCRIPTION, Seconds, Summary};
 
 /// The whole way from the file to the folder.
 fn bake(options: &Options, progress: &Progress) -> Result<Summary, String> {
@@ -34,7 +36,7 @@ fn bake(options: &Options, progress: &Progress) -> Result<Summary, String> {
     let content = if relief.is_some() { Content::Heights } else { Content::Normals };
     let picture = Picture::open(&options.input, content).map_err(of_input)?;
     // Before the work, for what cannot be written; of no name yet, and gone again if the work fails.
-    let folder = Folder::new(&options.out)?;
+    let folder = Folder::new(&options.out, "bake")?;
 
     let size = picture.size();
     let texels = (size[0] * size[1]) as u64;
@@ -71,11 +73,12 @@ fn bake(options: &Options, progress: &Progress) -> Result<Summary, String> {
         bytes: map.bytes(),
         seconds: Seconds { decoding, converting, merging, copying, encoding: start.elapsed() },
     };
-    folder.write(output::DESCRIPTION, &summary.json(options))?;
+    summary.describe(options, &folder)?;
     let mut names = levels.names();
     // The last, in which a reader finds the others.
-    names.push(output::DESCRIPTION.to_owned());
-    folder.finish(&names)?;
+    names.push(DESCRIPTION.to_owned());
+    // Levels of a larger map would be taken for this one's.
+    folder.finish(&names, summary::described(&options.out))?;
     summary.seconds.encoding = start.elapsed();
     progress.end();
     Ok(summary)

@@ -1,11 +1,16 @@
 //! What was baked: as text for people, as JSON for programs.
 
+use super::folder::Folder;
 use super::options::{Channels, Options};
 use lobe::material::lean::{Border, Clipped};
 use serde_json::json;
 use std::fs;
 use std::io::{ErrorKind, Write};
+use std::path::Path;
 use std::time::Duration;
+
+/// The file in which a reader finds the others.
+pub(crate) const DESCRIPTION: &str = "moments.json";
 
 /// A baked map in numbers.
 pub(crate) struct Summary {
@@ -37,8 +42,14 @@ pub(crate) struct Seconds {
 }
 
 impl Summary {
-    /// The description beside the files.
-    pub(crate) fn json(&self, options: &Options) -> String {
+    /// Writes the description beside the files.
+    pub(crate) fn describe(&self, options: &Options, folder: &Folder) -> Result<(), String> {
+        let mut file = folder.create(DESCRIPTION)?;
+        let written = file.write_all(self.json(options).as_bytes());
+        written.map_err(|error| folder.refused(DESCRIPTION, &error))
+    }
+
+    fn json(&self, options: &Options) -> String {
         let levels: Vec<_> = (0..self.levels)
             .map(|k| {
                 json!({
@@ -137,6 +148,17 @@ impl Summary {
             _ => Ok(()),
         }
     }
+}
+
+/// The files of a baked map in a folder, by its description; none where there is none.
+pub(crate) fn described(folder: &Path) -> Vec<String> {
+    let text = fs::read_to_string(folder.join(DESCRIPTION)).unwrap_or_default();
+    let known: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
+    let levels = known["levels"].as_array().into_iter().flatten();
+    let names = levels.flat_map(|level| ["mean", "second", "raw"].map(|part| level[part].as_str()));
+    // Names, not paths: a description that someone else wrote must not reach out of its folder.
+    let plain = |name: &&str| Path::new(name).file_name().is_some_and(|file| file == *name);
+    names.flatten().filter(plain).map(str::to_owned).collect()
 }
 
 /// The most memory that this process has held, in MiB, where the system tells it.

@@ -1,6 +1,8 @@
 //! Materials: normal and displacement maps as lobes, and what a facade multiplies a lobe by.
 
 mod fresnel;
+#[cfg(feature = "glint")]
+pub mod glint;
 #[cfg(feature = "leadr")]
 pub mod leadr;
 #[cfg(feature = "lean")]

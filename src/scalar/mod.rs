@@ -7,12 +7,16 @@ pub(crate) mod exp;
 pub(crate) mod expint;
 #[cfg(feature = "glam")]
 mod glam;
+#[cfg(feature = "glint")]
+pub(crate) mod hash;
 pub(crate) mod ln;
 mod math;
 #[cfg(feature = "probe")]
 pub mod probe;
 pub(crate) mod psd;
 pub(crate) mod quadrature;
+#[cfg(feature = "glint")]
+pub(crate) mod quantile;
 mod real;
 mod single;
 

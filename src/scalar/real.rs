@@ -159,6 +159,21 @@ pub trait Real:
     /// is exact, and products of upper halves are exact.
     #[doc(hidden)]
     fn upper_half(self) -> Self;
+    /// The largest whole number not above this, within $\pm 2^{30}$; 0 for NaN (`lobe_floor` in WGSL).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn floor(self) -> i32 {
+        floor_of(self.to_f64())
+    }
+    /// $\lfloor \log_2 x \rfloor$ of a positive normal number (`lobe_exponent` in WGSL).
+    #[doc(hidden)]
+    fn exponent(self) -> i32;
+    /// $2^k$ for `k` from -126 to 126 (`lobe_power_of_two` in WGSL).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn power_of_two(k: i32) -> Self {
+        Self::lit(f64::from_bits(u64::from((k + 1023).unsigned_abs()) << 52))
+    }
     /// This value as it was rounded: on a GPU no compiler may fold or fuse it away (`lobe_kept` in WGSL).
     #[doc(hidden)]
     #[inline(always)]
@@ -173,8 +188,18 @@ pub trait Real:
     }
 }
 
+/// [`Real::floor`], of any precision.
+#[inline(always)]
+fn floor_of(x: f64) -> i32 {
+    const LIMIT: f64 = (1_i32 << 30) as f64;
+    let bounded = x.clamp(-LIMIT, LIMIT);
+    // The cast cuts towards 0, and NaN to 0.
+    let cut = bounded as i32;
+    if f64::from(cut) > bounded { cut - 1 } else { cut }
+}
+
 macro_rules! impl_real {
-    ($t:ident, $single:literal, $mask:literal, $sqrt:ident, $exp:ident, $ln:ident, $atan:ident, $atan2:ident,
+    ($t:ident, $single:literal, $mask:literal, $fraction:literal, $bias:literal, $sqrt:ident, $exp:ident, $ln:ident, $atan:ident, $atan2:ident,
      $upper_angle:ident, $atan_excess:ident, $erfc:ident, $erfcx:ident, $ierfcx:ident) => {
         impl Real for $t {
             const ZERO: Self = 0.0;
@@ -249,6 +274,11 @@ macro_rules! impl_real {
             fn upper_half(self) -> Self {
                 $t::from_bits(self.to_bits() & $mask)
             }
+            #[inline(always)]
+            #[allow(clippy::cast_possible_wrap, reason = "of a positive number: a few bits")]
+            fn exponent(self) -> i32 {
+                (self.to_bits() >> $fraction) as i32 - $bias
+            }
         }
     };
 }
@@ -257,6 +287,8 @@ impl_real!(
     f32,
     true,
     0xFFFF_F000,
+    23,
+    127,
     sqrt_f32,
     exp_f32,
     ln_f32,
@@ -272,6 +304,8 @@ impl_real!(
     f64,
     false,
     0xFFFF_FFFF_F800_0000,
+    52,
+    1023,
     sqrt_f64,
     exp_f64,
     ln_f64,

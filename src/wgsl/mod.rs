@@ -30,6 +30,7 @@
 //!   (A compiler that is told to assume numbers may drop that promise: HLSL without strict IEEE and Metal with fast math, for two.)
 //! - **Matrices** have their columns first, as WGSL has it; `matrix * vector` means the same.
 //! - **Pixel filters** are passed as their variance: `LOBE_PIXEL_FILTER_BOX` and the like.
+//! - **Closures** are not passed: cells of a grid are a loop, and coloured glints have the hue wheel.
 //! - `lobe_fragment_*` take derivatives from the quad, for fragment shaders; CPUs have no quads.
 //!
 //! Equal to Rust in f32 to the bit where no operation is fused or reordered, and quotients and roots are rounded

@@ -44,6 +44,10 @@ modules! {
     "scalar/real",
     "scalar/exp",
     "scalar/ln",
+    #[cfg(feature = "glint")]
+    "scalar/hash",
+    #[cfg(feature = "glint")]
+    "scalar/quantile",
     "scalar/atan",
     "scalar/erfc",
     "scalar/expint",
@@ -90,8 +94,32 @@ modules! {
     "material/lean/storage",
     "material/leadr/surface",
     "material/leadr/lod",
+    #[cfg(feature = "glint")]
+    "material/glint/binomial",
+    #[cfg(feature = "glint")]
+    "material/glint/biscale",
+    #[cfg(feature = "glint")]
+    "material/glint/cell",
+    #[cfg(feature = "glint")]
+    "material/glint/colour",
+    #[cfg(feature = "glint")]
+    "material/glint/patch",
+    #[cfg(feature = "glint")]
+    "material/glint/level",
+    #[cfg(feature = "glint")]
+    "material/glint/grid",
+    #[cfg(feature = "glint")]
+    "material/glint/light",
+    #[cfg(feature = "glint")]
+    "material/glint/lobe",
+    #[cfg(feature = "glint")]
+    "material/glint/glints",
     "shade",
+    #[cfg(feature = "glint")]
+    "shade/glints",
     "fragment",
+    #[cfg(feature = "glint")]
+    "fragment/glints",
 }
 
 impl Module {

@@ -42,11 +42,14 @@ pub enum Preset {
     AreaLight,
     /// The facade with Schlick's reflectance, GGX, widened by the quad's kernel.
     Facade,
+    /// Forward glints, in the quad's patch and widened by its kernel.
+    #[cfg(feature = "glint")]
+    Glints,
 }
 
 impl Preset {
-    /// Every preset, without a filter first.
-    pub const ALL: [Self; 13] = [
+    /// Every preset, without a filter first; those of features last.
+    pub const ALL: [Self; 13 + cfg!(feature = "glint") as usize] = [
         Self::Plain,
         Self::IsotropicDeferred,
         Self::AnisotropicDeferred,
@@ -60,6 +63,8 @@ impl Preset {
         Self::Displaced,
         Self::AreaLight,
         Self::Facade,
+        #[cfg(feature = "glint")]
+        Self::Glints,
     ];
 
     /// The preset's name, as a command line takes it.
@@ -82,6 +87,8 @@ impl Preset {
             Self::Displaced => "displaced",
             Self::AreaLight => "area_light",
             Self::Facade => "facade",
+            #[cfg(feature = "glint")]
+            Self::Glints => "glints",
         }
     }
 
@@ -215,6 +222,18 @@ impl Preset {
                 I::HalfCosine,
                 I::FresnelSchlick,
                 I::GgxEvaluate,
+            ],
+            #[cfg(feature = "glint")]
+            Self::Glints => &[
+                I::BiscaleFromFractions,
+                I::GlintsNew,
+                I::FragmentPatch,
+                I::GlintsLobe,
+                I::FragmentFootprint,
+                I::KernelOf,
+                I::PixelFilterBox,
+                I::GlintLobeWidened,
+                I::GlintLobeBrdf,
             ],
         }
     }

@@ -2,12 +2,14 @@
 //!
 //! Floor 0.
 
-/// Expands the table: the enum, its list, the entries, and the names behind a feature that is off.
+/// Expands the table: the enum, its list, the entries, and the names behind features that are off.
 macro_rules! items {
     (
         $($variant:ident: $kind:tt $name:literal $(, $twin:literal)?;)*
-        #[feature($feature:literal)]
-        $($gated:ident: $gated_kind:tt $gated_name:literal $(, $gated_twin:literal)?;)*
+        $(
+            #[feature($feature:literal)]
+            $($gated:ident: $gated_kind:tt $gated_name:literal $(, $gated_twin:literal)?;)*
+        )*
     ) => {
         /// A function or constant of the mirror, or a whole file of it, to ask [`source`](super::source) for.
         ///
@@ -21,37 +23,36 @@ macro_rules! items {
         #[non_exhaustive]
         pub enum Item {
             $(#[doc = concat!("The ", word!($kind), " `", $name, "`" $(, ", twin of `", $twin, "`")?, ".")] $variant,)*
-            $(
+            $($(
                 #[cfg(feature = $feature)]
                 #[doc = concat!("The ", word!($gated_kind), " `", $gated_name, "`" $(, ", twin of `", $gated_twin, "`")?, ".")]
                 $gated,
-            )*
+            )*)*
         }
 
         impl Item {
             /// Every item, in the order of the files; those of features last.
             pub const ALL: &'static [Self] = &[
                 $(Self::$variant,)*
-                $(#[cfg(feature = $feature)] Self::$gated,)*
+                $($(#[cfg(feature = $feature)] Self::$gated,)*)*
             ];
 
             /// Kind, name and twin; no twin is an empty one.
             pub(super) fn entry(self) -> (Kind, &'static str, &'static str) {
                 match self {
                     $(Self::$variant => (kind!($kind), $name, concat!($($twin)?)),)*
-                    $(
+                    $($(
                         #[cfg(feature = $feature)]
                         Self::$gated => (kind!($gated_kind), $gated_name, concat!($($gated_twin)?)),
-                    )*
+                    )*)*
                 }
             }
         }
 
-        /// Names behind a feature, and the feature.
-        #[cfg(not(feature = $feature))]
-        pub(super) const OFF: &[(&str, &str)] = &[$(($gated_name, $feature),)*];
-        #[cfg(feature = $feature)]
-        pub(super) const OFF: &[(&str, &str)] = &[];
+        /// Names behind features that are off, and the feature.
+        pub(super) const OFF: &[(&str, &str)] = &[
+            $($(#[cfg(not(feature = $feature))] ($gated_name, $feature),)*)*
+        ];
     };
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fits the polynomials of src/scalar/{exp,ln,atan,erfc}.rs and the factors of src/filter/proxy.rs, and prints them.
+"""Fits the polynomials of src/scalar/{exp,ln,atan,erfc,quantile}.rs and the factors of src/filter/proxy.rs, and prints them.
 
 Usage: python3 fit.py [name ...]      (all fits when no name is given)
 
@@ -241,6 +241,25 @@ def fit_ierfcx(name, bits, degree, pole):
     fit_half_line(name, bits, degree, pole, ierfcx, lambda x: x * (x + 0.875) + 0.5, mpf(1) / 2)
 
 
+def fit_quantile(name, bits, degree):
+    """z/(1 - 2v) in t = w/(w + 8) - 3/8, w = -ln(4v(1 - v)), for v from 2^-34 to 1/2: relative; P(Z > z) = v."""
+    def argument(t):
+        r = t + mpf(3) / 8
+        return 8 * r / (1 - r)
+    def core(t):
+        w = argument(t)
+        if w < mpf("1e-12"):
+            return mp.sqrt(mp.pi / 2)
+        e = mp.exp(-w)
+        x = mp.sqrt(1 - e)
+        v = e / (2 * (1 + x))
+        log = lambda z: mp.log(mp.erfc(z / mp.sqrt(2)) / 2) - mp.log(v)
+        return mp.findroot(log, mp.sqrt(2 * w) if w > 1 else mp.sqrt(mp.pi / 2) * x) / x
+    w = 34 * mp.ln(2) - mp.ln(4)
+    fit = Fit(core, lambda t: 1 / core(t), -mpf(3) / 8, w / (w + 8) - mpf(3) / 8, degree)
+    report(name, fit, bits, lambda t: mp.exp(-argument(t)) / (2 * (1 + mp.sqrt(1 - mp.exp(-argument(t))))))
+
+
 def split(name, value, bits, head):
     """value in two parts, the first rounded to `head` bits, the second to the format."""
     first = rounded(value, head)
@@ -342,6 +361,7 @@ FITS = {
     "erfcx_f32": lambda n: fit_erfcx(n, SINGLE, 10, mpf(83) / 32),
     "ierfcx_f32": lambda n: fit_ierfcx(n, SINGLE, 12, mpf(83) / 32),
     "erfcx_f64": lambda n: fit_erfcx(n, DOUBLE, 24, 4),
+    "quantile": lambda n: fit_quantile(n, SINGLE, 9),
     "ierfcx_f64": lambda n: fit_ierfcx(n, DOUBLE, 26, 4),
 }
 

@@ -7,6 +7,7 @@ use clap::error::ErrorKind;
 use clap::{Parser, ValueEnum};
 
 use crate::camera::Size;
+use crate::glints;
 use crate::light::LightKind;
 use crate::minify;
 use crate::reference::Sampling;
@@ -91,6 +92,8 @@ pub(crate) enum Scenes {
     Disc,
     /// Normal maps on a plane, many texels to a pixel, and a zoom.
     Minified,
+    /// Details that flicker: two models of glints against real details, with materials and lights of their own.
+    Glints,
     /// All of them; with --quick one normal map only.
     All,
 }
@@ -170,6 +173,13 @@ impl Options {
             rounds,
             frames,
         }
+    }
+
+    /// How glints are measured, if they are asked for: in a picture no wider than asked for.
+    pub(crate) fn glints(&self) -> Option<glints::Plan> {
+        let plan = if self.quick { glints::Plan::quick() } else { glints::Plan::full() };
+        let width = self.size.map_or(plan.width, |asked| asked.min(plan.width));
+        self.scene.include(Scenes::Glints).then_some(glints::Plan { width, ..plan })
     }
 
     fn first_light(&self) -> LightKind {

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::camera::Size;
+use crate::glints::{self, Glitter};
 use crate::kernels::Kernels;
 use crate::method;
 use crate::minify::Minified;
@@ -46,11 +47,12 @@ fn report(options: &Options) -> Result<(), Mistake> {
 
     let methods = method::all();
     let steps = subjects.len() as u64 * study::steps(size, methods.len(), &effort);
-    let relief = options.relief();
+    let (relief, glints) = (options.relief(), options.glints());
     let steps = steps
         + moving.len() as u64 * plan.steps()
         + minified.len() as u64 * minification.steps()
-        + relief.as_ref().map_or(0, relief::Plan::steps);
+        + relief.as_ref().map_or(0, relief::Plan::steps)
+        + glints.as_ref().map_or(0, |_| glints::steps());
     let bar = ProgressBar::new(steps);
     if let Ok(style) = ProgressStyle::with_template("{msg:24} {wide_bar} {percent:>3} %  {eta}") {
         bar.set_style(style);
@@ -85,8 +87,14 @@ fn report(options: &Options) -> Result<(), Mistake> {
         let relief = Relief::measured(&plan, &|| bar.inc(1));
         report.relief = Some(relief.map_err(|error| Mistake(format!("relief: {error}")))?);
     }
+    if let Some(plan) = glints {
+        bar.set_message("glints");
+        let glints = Glitter::measured(&plan, &|| bar.inc(1));
+        report.glints = Some(glints.map_err(|error| Mistake(format!("glints: {error}")))?);
+    }
     bar.finish_and_clear();
     print(&report.relief_text());
+    print(&report.glints_text());
     print(&report.kernels_text());
     print(&report.sizes_text());
     print(&report.advice_text());

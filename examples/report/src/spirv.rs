@@ -16,6 +16,12 @@ mod op {
     pub(super) const FUNCTION_END: u16 = 56;
     pub(super) const FUNCTION_CALL: u16 = 57;
     pub(super) const LABEL: u16 = 248;
+
+    /// Whether it computes: extended instructions, conversions, arithmetic, comparisons, bits and derivatives.
+    pub(super) fn computes(opcode: u16) -> bool {
+        const EXTENDED: u16 = 12;
+        matches!(opcode, EXTENDED | 109..=215)
+    }
 }
 
 /// Parses and validates WGSL as core WebGPU, without any extension.
@@ -84,12 +90,14 @@ pub struct Instructions {
     pub own: usize,
     /// The same with every call in place of its callee's, loops counted once.
     pub inlined: usize,
+    /// Those of `inlined` that compute: without moves, loads, stores and branches.
+    pub arithmetic: usize,
 }
 
 /// The instructions of every function.
 pub fn instructions(words: &[u32]) -> Vec<Instructions> {
     let mut names: HashMap<u32, String> = HashMap::new();
-    let mut bodies: Vec<(u32, usize, Vec<u32>)> = Vec::new();
+    let mut bodies: Vec<(u32, [usize; 2], Vec<u32>)> = Vec::new();
     let mut inside = false;
     for (_, opcode, operands) in walk(words) {
         match opcode {
@@ -97,15 +105,16 @@ pub fn instructions(words: &[u32]) -> Vec<Instructions> {
                 names.insert(operands[0], text(&operands[1..]));
             }
             op::FUNCTION => {
-                bodies.push((operands[1], 0, Vec::new()));
+                bodies.push((operands[1], [0; 2], Vec::new()));
                 inside = true;
             }
             op::FUNCTION_END => inside = false,
             // A label is no work.
             op::LABEL => {}
             _ if inside => {
-                if let Some((_, own, calls)) = bodies.last_mut() {
+                if let Some((_, [own, arithmetic], calls)) = bodies.last_mut() {
                     *own += 1;
+                    *arithmetic += usize::from(op::computes(opcode));
                     if opcode == op::FUNCTION_CALL {
                         calls.push(operands[2]);
                     }
@@ -115,14 +124,14 @@ pub fn instructions(words: &[u32]) -> Vec<Instructions> {
         }
     }
     // naga writes callees before their callers.
-    let mut inlined: HashMap<u32, usize> = HashMap::new();
+    let mut inlined: HashMap<u32, [usize; 2]> = HashMap::new();
     let mut found = Vec::new();
-    for (id, own, calls) in bodies {
-        let called: usize = calls.iter().map(|callee| inlined[callee]).sum();
-        let whole = own - calls.len() + called;
-        inlined.insert(id, whole);
+    for (id, [own, arithmetic], calls) in bodies {
+        let called = |k: usize| calls.iter().map(|callee| inlined[callee][k]).sum::<usize>();
+        let (whole, arithmetic) = (own - calls.len() + called(0), arithmetic + called(1));
+        inlined.insert(id, [whole, arithmetic]);
         let name = names.get(&id).cloned().unwrap_or_else(|| format!("%{id}"));
-        found.push(Instructions { name, own, inlined: whole });
+        found.push(Instructions { name, own, inlined: whole, arithmetic });
     }
     found
 }
@@ -146,6 +155,8 @@ mod tests {
         let (one, two) = (&found[0], &found[1]);
         assert_eq!((one.name.as_str(), one.own), ("one", one.inlined));
         assert_eq!(two.inlined, two.own - 2 + 2 * one.inlined);
+        // A product, and two of them with their sum.
+        assert_eq!([one.arithmetic, two.arithmetic], [1, 3]);
     }
 
     #[test]

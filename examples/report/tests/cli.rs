@@ -87,7 +87,7 @@ fn normal_maps_that_cannot_be_used_are_named_and_leave_nothing_behind() {
 
 #[test]
 fn a_normal_map_on_a_scene_without_one_is_a_mistake() {
-    for scene in ["water", "sphere", "torus", "strip", "disc"] {
+    for scene in ["water", "sphere", "torus", "strip", "disc", "relief", "glints"] {
         let line = refusal(&["--scene", scene, "--normal-map", "x.png"]);
         assert!(line.contains("--normal-map") && line.contains(scene), "{line}");
     }

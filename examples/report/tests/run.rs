@@ -21,8 +21,9 @@ fn run(name: &str, arguments: &[&str]) -> (String, String) {
         fs::read_dir(&folder).unwrap().map(|f| f.unwrap().file_name()).collect();
     files.sort();
     let mut expected = vec!["advice.md", "cover.png", "index.html", "report.json"];
-    // Relief has no picture without a filter.
-    expected.retain(|file| *file != "cover.png" || !arguments.contains(&"relief"));
+    // Relief and glints have no picture without a filter.
+    let bare = ["relief", "glints"].iter().any(|scene| arguments.contains(scene));
+    expected.retain(|file| *file != "cover.png" || !bare);
     assert_eq!(files, expected, "nothing unfinished");
     (
         String::from_utf8(output.stdout).unwrap(),
@@ -220,4 +221,31 @@ fn relief_has_pictures_tables_and_charts_of_its_own() {
     }
     let (text, page) = run("no relief", &["--scene", "torus"]);
     assert!(!text.contains("LEADR") && !page.contains("LEADR"));
+}
+
+#[test]
+fn glints_have_pictures_tables_and_charts_of_their_own() {
+    let (text, page) = run("glints", &["--scene", "glints", "--size", "32"]);
+    assert_self_contained(&page);
+    assert!(page.contains("<h2>Glints</h2>") && text.contains("\nGlints\n"));
+    assert_eq!(page.matches("<img").count(), 2);
+    // Two keys of colours; two charts of cells, two of times, one of variance, four of error against run time; and the
+    // figures of filters without a renderer.
+    assert_eq!(page.matches("<svg").count(), 2 + 2 + 2 + 1 + 4 + 4 * 2 + 2);
+    for (name, rows) in [("snow, 1000, ", 2 * 3), ("published", 2 + 4), ("grooves, ", 2 * 3)] {
+        let lines = text.lines().filter(|line| line.starts_with(name));
+        assert_eq!(lines.count(), rows, "{name} in\n{text}");
+    }
+    for wrong in ["NaN", "inf ", "-0."] {
+        assert!(!text.contains(wrong) && !page.contains(wrong), "{wrong} in\n{text}");
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("glints");
+    let data = fs::read_to_string(folder.join("report.json")).unwrap();
+    for name in
+        ["visited", "speed", "operations", "instructions", "judged", "gains", "ripples", "contests"]
+    {
+        assert!(data.contains(&format!("\"{name}\": ")), "{name}");
+    }
+    let (text, page) = run("no glints", &["--scene", "torus"]);
+    assert!(!text.contains("Glints") && !page.contains("Glints"));
 }

@@ -163,6 +163,9 @@ impl Real for Counted {
         note(|done| &mut done.transcendental);
         Self(self.0.upper_angle(x.0))
     }
+    fn exponent(self) -> i32 {
+        self.0.exponent()
+    }
     fn upper_half(self) -> Self {
         Self(self.0.upper_half())
     }

@@ -173,6 +173,9 @@ impl Real for Fused {
     fn upper_angle(self, x: Self) -> Self {
         atan::upper_angle_f32(self, x).kept()
     }
+    fn exponent(self) -> i32 {
+        self.value.exponent()
+    }
     fn upper_half(self) -> Self {
         Self::new(self.value.upper_half())
     }

@@ -281,6 +281,9 @@ impl Real for Rounded {
         let slope = 2.0 * (most / (1.0 + most * most)).powi(2);
         Self::result(self.value.atan_excess(), 11.0, slope * self.units())
     }
+    fn exponent(self) -> i32 {
+        self.value.exponent()
+    }
     fn upper_half(self) -> Self {
         Self { value: self.value.upper_half(), ..self }
     }

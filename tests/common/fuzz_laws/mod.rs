@@ -5,11 +5,13 @@
 
 mod bytes;
 mod constructors;
+mod glints;
 mod maps;
 mod precision;
 mod valid;
 mod widenings;
 
 pub(crate) use constructors::constructors;
+pub(crate) use glints::glints;
 pub(crate) use maps::maps;
 pub(crate) use precision::precision;

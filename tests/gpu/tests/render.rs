@@ -9,8 +9,11 @@ mod drawn;
 
 use std::sync::LazyLock;
 
-use drawn::{DEFERRED, DIFFERENCE, DISK, MATRIX, PLAIN_QUAD, QUAD, SHADED, Spread, Stage, sides};
+use drawn::{
+    DEFERRED, DIFFERENCE, DISK, MATRIX, PATCH, PLAIN_QUAD, QUAD, SHADED, Spread, Stage, sides,
+};
 use lobe::filter::{DiskKernel, tokuyoshi_kaplanyan_deferred_alpha};
+use lobe::material::glint::{Grid, Patch};
 use lobe::slope::direction::slope_of;
 use lobe::{Kernel, PixelFilter};
 use lobe_gpu::Gpu;
@@ -150,6 +153,38 @@ fn deferred_alphas_are_those_of_the_quad_s_normals() {
             widened += usize::from(want > 2.0 * alpha);
         }
         assert!(widened > 100, "{widened}");
+    }
+}
+
+/// The cells that a pixel covers.
+fn covered(patch: &Patch<f32>) -> Vec<([i32; 2], i32, f32)> {
+    let mut cells = Vec::new();
+    Grid::new(patch, 1e-6).visit(|cell| cells.push((cell.index, cell.exponent, cell.share)));
+    cells
+}
+
+/// Coordinates of any kind will do; those of `wo` jump at edges, which no grid minds.
+#[test]
+fn patches_are_those_of_the_quad_s_coordinates() {
+    for stage in stages() {
+        let (shot, name) = (stage.shot, stage.gpu.name());
+        let mut moving = 0;
+        for (index, got) in stage.picture(PATCH).unwrap().iter().enumerate() {
+            let (seen, place) = quad(shot, index);
+            let [here, beside, below] = seen.map(|seen| [seen.wo[0], seen.wo[1]]);
+            // The differences of a quad's pixels are one and the same, whichever of them asks.
+            let [s, t] = place.map(|place| if place % 2 == 1 { -1.0 } else { 1.0 });
+            let [right, up] =
+                [minus(beside, here).map(|x| s * x), minus(below, here).map(|x| t * x)];
+            let off = |(got, want): (&f32, f32)| (got - want).abs() > f32::MIN_POSITIVE;
+            let wrong = got.iter().zip([right, up].concat()).any(off);
+            assert!(!wrong, "{name} {index}: {got:?} for {right:?} {up:?}");
+            let patch = Patch::new(here, right, up);
+            let turned = Patch { up: up.map(|x| -x), ..patch };
+            assert_eq!(covered(&patch), covered(&turned), "a grid looks at a side's sign");
+            moving += usize::from(patch.area() > 0.0);
+        }
+        assert!(moving > 1000, "{name}: {moving}");
     }
 }
 

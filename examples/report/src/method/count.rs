@@ -22,7 +22,8 @@ pub(crate) struct Tally {
 }
 
 impl Tally {
-    fn of(operations: Operations, pixels: usize) -> Self {
+    /// The mean over some pixels of all their operations.
+    pub(crate) fn of(operations: Operations, pixels: usize) -> Self {
         let mean = |count: u64| count as f64 / pixels.max(1) as f64;
         Self {
             additions: mean(operations.additions),

@@ -18,7 +18,7 @@ const LEADING: f64 = 16.0;
 /// Lines nowhere farther apart than this are drawn as one.
 const SAME: f64 = 1.6;
 
-/// A line with its name and its CSS class.
+/// A line with its name and its CSS class; a mark if it has one point.
 pub(super) struct Line {
     pub(super) name: String,
     pub(super) class: String,
@@ -85,8 +85,13 @@ impl Chart {
         self.ground(&mut svg, &x, &y).ok();
         let groups = self.groups(&x, &y);
         for group in &groups {
-            let (class, path) = (group.class(), cut(&group.path));
-            writeln!(svg, "<path class=\"curve {class}\" d=\"{path}\"/>").ok();
+            let class = group.class();
+            if let [at] = group.path[..] {
+                mark(&mut svg, at, class).ok();
+            } else {
+                let path = cut(&group.path);
+                writeln!(svg, "<path class=\"curve {class}\" d=\"{path}\"/>").ok();
+            }
         }
         names(&mut svg, &groups).ok();
         svg + "</svg>\n"
@@ -126,8 +131,11 @@ impl Chart {
             let path: Vec<_> = line.points.iter().map(|p| [x.at(p[0]), height(p[1])]).collect();
             let visible = |at: f64| at.clamp(TOP, HEIGHT - BOTTOM);
             let same = |group: &&mut Group<'_>| {
-                let pairs = group.path.iter().zip(&path);
-                pairs.into_iter().all(|(a, b)| (visible(a[1]) - visible(b[1])).abs() < SAME)
+                let mut pairs = group.path.iter().zip(&path);
+                let alone = |path: &[[f64; 2]]| path.len() == 1;
+                alone(&group.path) == alone(&path)
+                    && pairs.all(|(a, b)| (visible(a[1]) - visible(b[1])).abs() < SAME)
+                    && (!alone(&path) || (group.path[0][0] - path[0][0]).abs() < SAME)
             };
             match groups.iter_mut().find(same) {
                 Some(group) => group.lines.push(line),
@@ -136,6 +144,12 @@ impl Chart {
         }
         groups
     }
+}
+
+/// A line of one point.
+fn mark(svg: &mut String, [x, y]: [f64; 2], class: &str) -> std::fmt::Result {
+    let y = y.clamp(TOP, HEIGHT - BOTTOM);
+    writeln!(svg, "<circle class=\"mark {class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\"/>")
 }
 
 /// A tick's number; with a true minus sign.
@@ -194,12 +208,24 @@ fn names(svg: &mut String, groups: &[Group<'_>]) -> std::fmt::Result {
             _ => "",
         };
         let named = group.lines.iter().map(|line| format!("{}{arrow}", escape(&line.name)));
-        names.extend(named.map(|name| (y, [x, y.clamp(top, bottom)], group.class(), name)));
+        let alone = group.path.len() == 1;
+        names
+            .extend(named.map(|name| (y, [x, y.clamp(top, bottom)], (group.class(), alone), name)));
     }
     names.sort_by(|a, b| a.0.total_cmp(&b.0));
     let heights: Vec<_> = names.iter().map(|(_, end, ..)| end[1]).collect();
     let baselines = spread(&heights, LEADING, [top, bottom]);
-    for ((_, [x, y], class, name), at) in names.iter().zip(baselines) {
+    for ((_, [x, y], (class, alone), name), at) in names.iter().zip(baselines) {
+        if *alone {
+            let (from, to, base) = (x + 5.0, x + 10.0, at + 4.0);
+            writeln!(svg, "<path class=\"leader\" d=\"M{from:.1} {y:.1}L{to:.1} {at:.1}\"/>")?;
+            let text = x + 12.0;
+            writeln!(
+                svg,
+                "<text class=\"{class} near\" x=\"{text:.1}\" y=\"{base:.1}\">{name}</text>"
+            )?;
+            continue;
+        }
         let (from, to, end) = (x + 2.0, x + 16.0, x + 36.0);
         writeln!(svg, "<path class=\"leader\" d=\"M{from:.1} {y:.1}L{to:.1} {at:.1}\"/>")?;
         writeln!(svg, "<path class=\"curve {class}\" d=\"M{to:.1} {at:.1}H{end:.1}\"/>")?;
@@ -244,6 +270,16 @@ mod tests {
         let chart = chart(&[("seen", 1.0), ("zero", 0.0), ("high", 1e9)]);
         assert_eq!(chart.outside(), ["zero", "high"]);
         assert!(!chart.svg().contains("high") && !chart.svg().contains("NaN"));
+    }
+
+    #[test]
+    fn lines_of_one_point_are_marks_wherever_others_are_as_high() {
+        let mut chart = chart(&[("line", 1.0), ("left", 2.0), ("right", 2.0)]);
+        chart.lines[1].points = vec![[2.0, 2.0]];
+        chart.lines[2].points = vec![[5.0, 2.0]];
+        let svg = chart.svg();
+        assert_eq!(svg.matches("<circle class=\"mark c\"").count(), 2);
+        assert_eq!(svg.matches("class=\"c near\"").count(), 2);
     }
 
     #[test]

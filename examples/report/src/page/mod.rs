@@ -3,6 +3,7 @@
 mod axis;
 mod chart;
 mod gallery;
+mod glints;
 mod grid;
 mod kernels;
 mod measure;
@@ -21,6 +22,7 @@ mod zoom;
 
 use serde::Serialize;
 
+use crate::glints::Glitter;
 use crate::kernels::Kernels;
 use crate::method::{Distribution, Method};
 use crate::minify::Minified;
@@ -48,6 +50,7 @@ pub(crate) struct Report {
     pub(crate) studies: Vec<Study>,
     pub(crate) sequences: Vec<Sequence>,
     pub(crate) relief: Option<Relief>,
+    pub(crate) glints: Option<Glitter>,
     pub(crate) minified: Vec<Minified>,
 }
 
@@ -61,6 +64,7 @@ impl Report {
             studies: Vec::new(),
             sequences: Vec::new(),
             relief: None,
+            glints: None,
             minified: Vec::new(),
         }
     }
@@ -73,6 +77,11 @@ impl Report {
     /// LEADR against rays, as text; empty if it was not asked for.
     pub(crate) fn relief_text(&self) -> String {
         self.relief.as_ref().map(relief::text).unwrap_or_default()
+    }
+
+    /// Glints, as text; empty if they were not asked for.
+    pub(crate) fn glints_text(&self) -> String {
+        self.glints.as_ref().map(glints::text).unwrap_or_default()
     }
 
     /// The shaders' sizes, as text.
@@ -149,6 +158,7 @@ impl Report {
             minified: &self.minified,
             kernels: &self.kernels,
             relief: self.relief.as_ref(),
+            glints: self.glints.as_ref(),
             shaders: &self.sizes,
         };
         serde_json::to_vec_pretty(&data).map_err(|error| format!("report.json: {error}"))
@@ -166,7 +176,7 @@ impl Report {
              <p class=\"lead\">Specular filters at one sample per pixel against plain supersampling, \
              plots at alpha = {}. The large number is how much longer supersampling takes to reach the best \
              filter\u{2019}s error.</p>\n\
-             {front}{}{back}{}{}{}{}{}{}{}</body>\n</html>\n",
+             {front}{}{back}{}{}{}{}{}{}{}{}</body>\n</html>\n",
             include_str!("style.css"),
             self.alpha(),
             self.summary(),
@@ -174,6 +184,7 @@ impl Report {
             sequence::html(&self.sequences),
             minify::html(&self.minified),
             self.relief.as_ref().map(relief::html).unwrap_or_default(),
+            self.glints.as_ref().map(glints::html).unwrap_or_default(),
             kernels::html(&self.kernels),
             sizes::html(&self.sizes),
             self.explanation(methods),
@@ -257,6 +268,7 @@ struct Data<'a> {
     minified: &'a [Minified],
     kernels: &'a Kernels,
     relief: Option<&'a Relief>,
+    glints: Option<&'a Glitter>,
     shaders: &'a Sizes,
 }
 

@@ -89,6 +89,12 @@ pub(super) fn linear(size: Size, values: &[f64]) -> String {
     format!("data:image/png;base64,{}", STANDARD.encode(encode(size.width, size.height, &grey)))
 }
 
+/// A picture in colours as `data:image/png;base64,...`.
+pub(super) fn coloured(size: Size, colours: &[[u8; 3]]) -> String {
+    let file = encoded(size.width, size.height, png::ColorType::Rgb, colours.as_flattened());
+    format!("data:image/png;base64,{}", STANDARD.encode(file))
+}
+
 /// A row of the middle of a picture, half as wide and high.
 fn middle(size: Size, picture: &[f64], row: usize) -> &[f64] {
     &picture[(size.height / 4 + row) * size.width + size.width / 4..][..size.width / 2]
@@ -99,13 +105,18 @@ const GAP: usize = 8;
 
 /// An 8-bit grey PNG file.
 fn encode(width: usize, height: usize, grey: &[u8]) -> Vec<u8> {
+    encoded(width, height, png::ColorType::Grayscale, grey)
+}
+
+/// An 8-bit PNG file.
+fn encoded(width: usize, height: usize, colour: png::ColorType, bytes: &[u8]) -> Vec<u8> {
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, extent(width), extent(height));
-    encoder.set_color(png::ColorType::Grayscale);
+    encoder.set_color(colour);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::High);
     // Into memory, with as many bytes as the header says: nothing here can fail.
-    let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(grey));
+    let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(bytes));
     debug_assert!(written.is_ok());
     file
 }

@@ -2,6 +2,8 @@
 
 use lobe::Footprint;
 
+use super::glitter;
+use super::number::{any, frame, normalized, size, small, unit};
 use crate::arbitrary::{LobeInput, Source};
 
 /// A group of floats with a meaning.
@@ -83,12 +85,38 @@ pub enum Input {
     Kernel,
     /// Four shading frames of a quad, as four arguments.
     Frames,
+    /// Any bits, as a word.
+    Word,
+    /// Two whole numbers of any size, by their bits.
+    Whole,
+    /// The exponent of a grid's cells, by its bits.
+    Level,
+    /// A number of trials and a probability, as two arguments.
+    Trials,
+    /// The probability of a larger count.
+    Tail,
+    /// Two alphas, and the shares of them that a detail has.
+    Biscale,
+    /// Glints with all their numbers.
+    Glints,
+    /// A pixel's place on a surface and its sides.
+    Patch,
+    /// What coordinates are compressed by.
+    Factors,
+    /// A unit half vector above the surface; near the lobe drawn before it, where there is one.
+    Half,
+    /// A pair of directions around one, as two arguments.
+    Mirrored,
+    /// A light's radius.
+    Radius,
+    /// What a light adds to alpha^2.
+    Blur,
 }
 
 /// What later groups want to know of earlier ones.
 #[derive(Default)]
 pub(super) struct Drawn {
-    lobe: Option<LobeInput>,
+    pub(super) lobe: Option<LobeInput>,
     mean: [f64; 2],
 }
 
@@ -96,7 +124,15 @@ impl Input {
     /// How many floats it takes.
     pub fn floats(self) -> usize {
         match self {
-            Self::Vector | Self::Slope | Self::Mean | Self::Disk | Self::Alphas | Self::Widths => 2,
+            Self::Vector
+            | Self::Slope
+            | Self::Mean
+            | Self::Disk
+            | Self::Alphas
+            | Self::Widths
+            | Self::Whole
+            | Self::Trials
+            | Self::Factors => 2,
             Self::Direction
             | Self::Position
             | Self::Derivative
@@ -106,10 +142,12 @@ impl Input {
             | Self::Second
             | Self::Curvature
             | Self::Psd
-            | Self::Roughness => 3,
-            Self::Footprint | Self::Kernel | Self::Matrix | Self::Node => 4,
+            | Self::Roughness
+            | Self::Half => 3,
+            Self::Footprint | Self::Kernel | Self::Matrix | Self::Node | Self::Biscale => 4,
             Self::Lobe => 5,
-            Self::Pair | Self::Unorm => 6,
+            Self::Pair | Self::Unorm | Self::Patch | Self::Mirrored => 6,
+            Self::Glints => 8,
             Self::Halves => 9,
             Self::Frames => 36,
             _ => 1,
@@ -144,11 +182,11 @@ impl Input {
             Self::Frames => {
                 format!("{}, {}, {}, {}", frame(0), frame(9), frame(18), frame(27))
             }
-            other => match other.floats() {
+            other => glitter::wgsl(other, at).unwrap_or_else(|| match other.floats() {
                 1 => at(0),
                 2 => pair(0),
                 _ => triple(0),
-            },
+            }),
         }
     }
 
@@ -261,52 +299,7 @@ impl Input {
                     put(&frame(s).concat());
                 }
             }
+            other => glitter::draw(other, s, drawn, out),
         }
     }
-}
-
-/// A number of any size and sign, within the squares that f32 holds.
-fn any(s: &mut Source) -> f64 {
-    match s.pick(8) {
-        0 => 0.0,
-        1 => s.sign(),
-        _ => s.log_uniform(1e-18, 1e18) * s.sign(),
-    }
-}
-
-/// A number in [0, 1], its ends included.
-fn unit(s: &mut Source) -> f64 {
-    match s.pick(8) {
-        0 => 0.0,
-        1 => 1.0,
-        2 => s.log_uniform(1e-9, 1.0),
-        _ => s.unit(),
-    }
-}
-
-/// 0, or a size.
-fn size(s: &mut Source, low: f64, high: f64) -> f64 {
-    if s.pick(8) == 0 { 0.0 } else { s.log_uniform(low, high) }
-}
-
-/// A vector of any direction, from 0 to about 1.
-fn small(s: &mut Source) -> [f64; 3] {
-    let length = size(s, 1e-5, 1.0);
-    [0; 3].map(|_| length * s.uniform(-1.0, 1.0))
-}
-
-fn normalized(v: [f64; 3]) -> [f64; 3] {
-    let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
-    v.map(|x| x / length)
-}
-
-/// Tangent, bitangent and normal, leaning by up to a half from z.
-fn frame(s: &mut Source) -> [[f64; 3]; 3] {
-    let [x, y] = s.vector(1e-4, 0.5);
-    let n = normalized([x, y, 1.0]);
-    let (sin, cos) = s.angle().sin_cos();
-    let along = n[0] * cos + n[1] * sin;
-    let t = normalized([cos - along * n[0], sin - along * n[1], -along * n[2]]);
-    let b = [n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2], n[0] * t[1] - n[1] * t[0]];
-    [t, b, n]
 }

@@ -1,9 +1,12 @@
 //! Every function of the mirror with its twin: the inputs, the WGSL expression, and the same in Rust.
 
 mod filters;
+mod glint;
+mod glitter;
 mod input;
 mod material;
 mod ndf;
+mod number;
 mod scalar;
 mod slope;
 mod value;
@@ -54,6 +57,14 @@ fn four(v: vec4f) -> mat2x2f {
 }
 ";
 
+/// Glints with all their numbers, which Rust sets one by one.
+const GLITTERING: &str = "
+fn glittering(biscale: LobeBiscale, density: f32, variation: f32, share: f32, seed: u32) -> LobeGlints {
+    let plain = lobe_glints_new(biscale, density);
+    return LobeGlints(plain.biscale, plain.density, variation, share, plain.stretch, plain.groove, seed);
+}
+";
+
 /// A pair of twins: one expression in each language, over the same floats.
 #[derive(Clone, Debug)]
 pub struct Twin {
@@ -63,6 +74,9 @@ pub struct Twin {
     pub by: &'static str,
     /// Its inputs.
     pub inputs: Vec<Input>,
+    /// The largest share of inputs whose result may jump, where one rounding more makes the function decide otherwise.
+    /// 0 for functions that decide nothing.
+    pub flips: f64,
     expression: String,
     statements: &'static str,
     single: fn(&mut Reader<'_>) -> Vec<f32>,
@@ -113,9 +127,12 @@ impl Twin {
 
     /// What WGSL computes it with: the functions that it needs and no others of the mirror.
     pub fn library(&self) -> String {
-        let helpers = [("put_together(", PUT_TOGETHER), ("four(", FOUR)];
-        let helpers = helpers.iter().filter(|(call, _)| self.expression.contains(call));
-        helpers.fold(needed(&self.body()), |text, (_, helper)| text + helper)
+        let body = self.body();
+        let helpers =
+            [("put_together(", PUT_TOGETHER), ("four(", FOUR), ("glittering(", GLITTERING)];
+        let helpers = helpers.iter().filter(|(call, _)| body.contains(call));
+        let helpers: String = helpers.map(|(_, helper)| *helper).collect();
+        needed(&(body + &helpers)) + &helpers
     }
 
     /// The WGSL statements of one evaluation.
@@ -150,9 +167,10 @@ impl Twin {
     }
 }
 
-/// Writes a table of twins: name, by what, inputs, WGSL with `$k` for the inputs, and Rust over a reader.
+/// Writes a table of twins: name, by what, share of flips, inputs, WGSL with `$k` for the inputs, and Rust over a
+/// reader.
 macro_rules! twins {
-    ($($name:literal $(by $by:literal)? ($($input:ident),*) $wgsl:literal => |$x:ident| $rust:expr;)*) => {
+    ($($name:literal $(by $by:literal)? $(flips $flips:ident)? ($($input:ident),*) $wgsl:literal => |$x:ident| $rust:expr;)*) => {
         pub(in crate::twins) fn twins() -> Vec<$crate::twins::Twin> {
             vec![$({
                 fn eval<R: lobe::Real>($x: &mut $crate::twins::value::Reader<'_>) -> impl $crate::twins::value::Flat<R> + use<R> {
@@ -170,6 +188,7 @@ macro_rules! twins {
                     name: String::from($name),
                     by: concat!($($by)?),
                     inputs: vec![$($crate::twins::Input::$input),*],
+                    flips: [$($flips,)? 0.0][0],
                     expression: String::from($wgsl),
                     statements: statements::<f32, _>(eval::<f32>),
                     single: flat::<f32>,
@@ -184,6 +203,6 @@ use twins;
 
 /// All of them.
 pub fn all() -> Vec<Twin> {
-    [scalar::twins(), slope::twins(), ndf::all_twins(), filters::twins(), material::twins()]
-        .concat()
+    let lobes = [scalar::twins(), slope::twins(), ndf::all_twins(), filters::twins()];
+    [lobes.concat(), material::twins(), glint::twins()].concat()
 }

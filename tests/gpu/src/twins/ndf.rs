@@ -60,6 +60,7 @@ macro_rules! methods {
                     name: format!("{prefix}_{method}"),
                     by: S::NAME,
                     inputs: [vec![S::INPUT], further(stringify!($($input)*))].concat(),
+                    flips: 0.0,
                     expression: format!("lobe_{prefix}_{method}({arguments})"),
                     statements: <f32 as Flat<f32>>::WGSL,
                     single: flat::<D, S, f32>,

@@ -1,6 +1,7 @@
 //! How Rust reads the floats of a twin, and how either language writes its result.
 
 use lobe::filter::DiskKernel;
+use lobe::material::glint::{Biscale, Glints, Patch};
 use lobe::material::leadr::{Facet, Leadr, Node};
 use lobe::slope::Motion;
 use lobe::{
@@ -71,6 +72,32 @@ impl<'a> Reader<'a> {
 
     pub(super) fn leadr<R: Real>(&mut self) -> Leadr<R> {
         Leadr::new(&self.lobe())
+    }
+
+    /// Any bits.
+    pub(super) fn word(&mut self) -> u32 {
+        self.raw().to_bits()
+    }
+
+    pub(super) fn index(&mut self) -> [i32; 2] {
+        [self.word(), self.word()].map(u32::cast_signed)
+    }
+
+    pub(super) fn biscale<R: Real>(&mut self) -> Biscale<R> {
+        let alphas = self.vec::<R, 2>();
+        Biscale::from_fractions(alphas, self.vec::<R, 2>()).expect("drawn fractions are in range")
+    }
+
+    pub(super) fn glints<R: Real>(&mut self) -> Glints<R> {
+        let biscale = self.biscale();
+        let glints = Glints::new(biscale, self.f());
+        let glints = glints.and_then(|glints| glints.with_variation(self.f()));
+        let glints = glints.and_then(|glints| glints.with_share(self.f()));
+        glints.expect("drawn numbers are in range").with_seed(self.word())
+    }
+
+    pub(super) fn patch<R: Real>(&mut self) -> Patch<R> {
+        Patch::new(self.vec::<R, 2>(), self.vec::<R, 2>(), self.vec::<R, 2>())
     }
 
     pub(super) fn filter(&mut self) -> PixelFilter {
@@ -145,6 +172,9 @@ fn four<R: Real>(psd: Psd<R>) -> [R; 4] {
 }
 
 flat! {
+    Biscale: "let s = r.spread.psd; put(0u, s.xx); put(1u, s.xy); put(2u, s.yy); put(3u, s.root_det);
+              let l = r.local.psd; put(4u, l.xx); put(5u, l.xy); put(6u, l.yy); put(7u, l.root_det);",
+        |x| [four(x.spread().matrix()), four(x.local().matrix())].concat();
     Psd: "put(0u, r.xx); put(1u, r.xy); put(2u, r.yy); put(3u, r.root_det);", |x| four(x);
     Roughness: "let m = r.psd; put(0u, m.xx); put(1u, m.xy); put(2u, m.yy); put(3u, m.root_det);",
         |x| four(x.matrix());

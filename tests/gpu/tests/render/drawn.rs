@@ -59,6 +59,11 @@ pub(crate) const DEFERRED: &str = "
     let limit = LOBE_KERNEL_ALPHA_SQUARED_LIMIT;
     return vec4f(lobe_fragment_deferred_alpha(p.alpha, p.normal, variance, limit));";
 
+/// Sides of the patch whose coordinates are two components of `wo`: to the right, then to the next row.
+pub(crate) const PATCH: &str = "
+    let place = lobe_fragment_patch(p.wo.xy);
+    return vec4f(place.right, place.up);";
+
 /// The footprint from Kaplanyan's matrix M.
 pub(crate) const MATRIX: &str = "
     return sides(by_matrix(p, traces[index_of(at)]));";

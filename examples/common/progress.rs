@@ -11,6 +11,7 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
+    /// A bar of no length yet, and a handler of Ctrl-C.
     pub(crate) fn new() -> Self {
         let stopped = Arc::new(AtomicBool::new(false));
         let stop = Arc::clone(&stopped);
@@ -23,18 +24,19 @@ impl Progress {
         Self { bar, stopped }
     }
 
-    /// How many texels are to be read and written in all.
-    pub(crate) fn begin(&self, texels: u64) {
-        self.bar.set_length(texels);
+    /// How many steps there are in all.
+    pub(crate) fn begin(&self, steps: u64) {
+        self.bar.set_length(steps);
     }
 
+    /// What is done now.
     pub(crate) fn stage(&self, name: &'static str) {
         self.bar.set_message(name);
     }
 
-    /// So many texels more; fails if the work shall end.
-    pub(crate) fn by(&self, texels: u64) -> Result<(), String> {
-        self.bar.inc(texels);
+    /// So many steps more; fails if the work shall end.
+    pub(crate) fn by(&self, steps: u64) -> Result<(), String> {
+        self.bar.inc(steps);
         if self.stopped() { Err("stopped; nothing was written".to_owned()) } else { Ok(()) }
     }
 
@@ -43,6 +45,7 @@ impl Progress {
         self.stopped.load(Ordering::Relaxed)
     }
 
+    /// The bar disappears.
     pub(crate) fn end(&self) {
         self.bar.finish_and_clear();
     }

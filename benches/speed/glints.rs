@@ -1,0 +1,54 @@
+//! What glints cost: by the pixel's aspect, by the number of details, and what more choices cost.
+
+use super::cases::{Case, case};
+use super::samples::{Regime, samples};
+use lobe::Beckmann;
+use lobe::material::glint::{Biscale, Glints, Patch, Published, light_blur};
+
+pub(crate) const GROUP: &str = "glints";
+
+type Vector = [f32; 3];
+type Input = (Patch<f32>, Vector, Vector);
+
+/// Pixels of this aspect, turned by anything, all over a surface; with directions near the lobe.
+fn pixels(aspect: f32) -> Vec<Input> {
+    let inputs = samples(Regime::Mixed).into_iter().map(|s| {
+        // Width 1 to 2: every place between two levels.
+        let width = 1e-3 * (1.0 + s.wo[2]);
+        let [x, y] = s.slope.map(|x| 10.0 * x);
+        let length = (x * x + y * y).sqrt().max(1e-9);
+        let (cos, sin) = (x / length, y / length);
+        let (right, up) =
+            ([width * cos, width * sin], [-aspect * width * sin, aspect * width * cos]);
+        (Patch::new([x, y], right, up), s.wo, s.wi)
+    });
+    inputs.collect()
+}
+
+/// A case for each choice.
+pub(crate) fn cases() -> Vec<Case> {
+    let biscale = Biscale::from_fractions([0.3_f32, 0.3], [0.05, 0.05]).expect("in range");
+    let with = |density: f32| Glints::new(biscale, density).expect("in range");
+    let shaded = |name: &'static str, inputs: Vec<Input>, glints: Glints<f32>| {
+        case(GROUP, name, inputs, move |&(patch, wo, wi)| glints.lobe(&patch).brdf(wo, wi, 0.005))
+    };
+    let steep = pixels(1.0);
+    let smooth = Beckmann::new(with(1.0).lobe(&Patch::default()).lobe().shape());
+    let published = Published::new(biscale, 1e9).expect("in range");
+    vec![
+        case(GROUP, "smooth_lobe", steep.clone(), move |&(_, wo, wi)| smooth.brdf(wo, wi)),
+        shaded("steep", steep.clone(), with(1e9)),
+        // 10 degrees above the surface, and the longest pixel that is followed.
+        shaded("grazing", pixels(5.76), with(1e9)),
+        shaded("longest", pixels(16.0), with(1e9)),
+        shaded("few_details", steep.clone(), with(1e6)),
+        shaded("many_details", steep.clone(), with(1e15)),
+        shaded("varied", steep.clone(), with(1e9).with_variation(1.0).expect("in range")),
+        case(GROUP, "published", steep.clone(), move |&(patch, wo, wi)| {
+            let h = lobe::slope::direction::half_vector(wo, wi);
+            let cosine = wi.iter().zip(h).map(|(a, b)| a * b).sum();
+            published.d(&patch, h, cosine, 0.005) * smooth.visibility(wo, wi)
+        }),
+        case(GROUP, "light_blur", steep, |&(_, wo, wi)| light_blur(wo, wi, 0.005)),
+    ]
+}

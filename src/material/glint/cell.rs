@@ -1,0 +1,102 @@
+//! A cell of the nested grids: the same numbers wherever the same place is a centre again.
+//!
+//! Floor 4.
+#![allow(
+    clippy::cast_sign_loss,
+    clippy::cast_possible_wrap,
+    reason = "words of a hash have no sign"
+)]
+
+use crate::scalar::Real;
+use crate::scalar::hash::{hash, tail, uniform};
+
+/// In place of a bin, one that no half vector has (they end at 2^30): the golden ratio's digits.
+const COLOUR: u32 = 2_654_435_769;
+
+/// The random numbers of a cell, one for each purpose.
+///
+/// Cells of size $2^k$ have their centres at whole multiples of it, so every centre of a coarse grid is one of each
+/// finer grid. A cell is known by its centre alone, $i 2^k$ as an odd number times a power of two: equal on all
+/// levels that have it, different for any two centres, and as deep as the range of exponents.
+///
+/// Zirr & Kaplanyan 2016, section 4.1, shift the index right by its trailing zeros, each axis by its own: of the
+/// 65536 indices of a square around the origin a quarter is left (tests/errata_glints.rs).
+///
+/// ```
+/// use lobe::material::glint::Cell;
+/// // 6 of size 2 and 3 of size 4 are one place; 3 of size 2 is another.
+/// assert_eq!(Cell::at([6, -10], 1, 0), Cell::at([3, -5], 2, 0));
+/// assert_ne!(Cell::at([6, -10], 1, 0), Cell::at([3, -5], 1, 0));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Cell {
+    words: [u32; 4],
+}
+
+impl Cell {
+    /// The cell of this index in the grid of cells of size $2^k$, `k` being `exponent`; `seed` tells surfaces apart.
+    ///
+    /// Exponents beyond -300 to 300 are taken as those.
+    ///
+    /// WGSL: `lobe_cell_at`.
+    #[inline]
+    pub fn at(index: [i32; 2], exponent: i32, seed: u32) -> Self {
+        let exponent = exponent.clamp(-300, 300);
+        let [(u, k), (v, l)] = index.map(|i| canonical(i, exponent));
+        let exponents = (k as u32 & 0xffff) | ((l as u32) << 16);
+        Self { words: hash([u as u32, v as u32, exponents, seed]) }
+    }
+
+    /// Where the borders of its angular bins lie, in [0, 1) along each axis.
+    ///
+    /// WGSL: `lobe_cell_jitter`.
+    #[inline]
+    pub fn jitter<R: Real>(&self) -> [R; 2] {
+        [uniform(self.words[0]), uniform(self.words[1])]
+    }
+
+    /// How many details it has against the mean: a uniform number in (0, 1).
+    ///
+    /// WGSL: `lobe_cell_size`.
+    #[inline]
+    pub fn size<R: Real>(&self) -> R {
+        tail(self.words[2])
+    }
+
+    /// When it takes over from the cells of the next level, on the way to it: a uniform number in [0, 1).
+    ///
+    /// WGSL: `lobe_cell_turn`.
+    #[inline]
+    pub fn turn<R: Real>(&self) -> R {
+        uniform(self.words[3])
+    }
+
+    /// Its colour: a uniform number in [0, 1).
+    ///
+    /// WGSL: `lobe_cell_hue`.
+    #[inline]
+    pub fn hue<R: Real>(&self) -> R {
+        let [a, b, ..] = self.words;
+        uniform(hash([a, b, COLOUR, COLOUR])[3])
+    }
+
+    /// How many of its details reflect in an angular bin: a uniform number in (0, 1), the probability of more.
+    ///
+    /// WGSL: `lobe_cell_count`.
+    #[inline]
+    pub fn count<R: Real>(&self, bin: [i32; 2]) -> R {
+        let [a, b, ..] = self.words;
+        // The last word, which all others have been mixed into.
+        tail(hash([a, b, bin[0] as u32, bin[1] as u32])[3])
+    }
+}
+
+/// An index times $2^k$ as an odd number and a power of two; 0 is its own place on every level.
+#[inline]
+fn canonical(index: i32, exponent: i32) -> (i32, i32) {
+    if index == 0 {
+        return (0, -0x4000);
+    }
+    let zeros = index.trailing_zeros();
+    (index >> zeros, exponent + zeros as i32)
+}

@@ -1,0 +1,171 @@
+//! Which cells a pixel covers, on two nested grids, and how much of each.
+//!
+//! Floor 4.
+
+use super::cell::Cell;
+use super::level::{FARTHEST, Level};
+use super::patch::Patch;
+use crate::scalar::Real;
+
+/// Longest pixel against its width, in cells: longer ones get coarser cells. Zirr & Kaplanyan 2016, section 4.2.
+pub const ANISOTROPY_LIMIT: u32 = 16;
+
+/// How much of the way between two levels a cell takes to come or go, and its share of an even blend meanwhile: without
+/// that, pixels whose cells have all gone would have none.
+const RAMP: f64 = 0.5;
+const EVEN: f64 = 0.03;
+
+/// A cell that a pixel covers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Covered<R> {
+    /// The cell's centre, in cells.
+    pub index: [i32; 2],
+    /// The cell's size is $2^k$, k being this.
+    pub exponent: i32,
+    /// The cell's share of the pixel. All shares sum to 1.
+    pub share: R,
+}
+
+/// The two grids of a pixel.
+///
+/// The cell size is the pixel's width ([`Patch::width`]), or for longer pixels a sixteenth ([`ANISOTROPY_LIMIT`]) of its
+/// longer extent ([`Patch::extents`]): the power of two below it, and the one above. On the way from one to the other, by
+/// the size's logarithm, cells come and go one by one, each at its own time ([`Cell::turn`]). Each column of cells that the pixel reaches along its longer extent has two
+/// cells, weighted by their distances from the pixel's middle line, and at its ends by their overlap: at most 104 cells.
+/// Continuous in coordinates and derivatives, but where a long pixel turns through a diagonal, from columns to rows.
+///
+/// Source: Zirr & Kaplanyan 2016, section 4.2. There the width is the chord along the other axis, $|d_x \times d_y| / \max
+/// E$, which is 1.4 times as large for a square that stands on its corner; all cells of both levels are blended by
+/// one weight, and where it leaves 0 dim, large glints appear everywhere at once; columns lie along the longer of the two medians, which jumps where
+/// the other becomes longer, and beyond the pixel's ends; and the axis is chosen before coordinates are compressed
+/// for anisotropic details, so that columns may leave the pixel.
+///
+/// ```
+/// use lobe::material::glint::{Grid, Patch};
+/// let pixel = Patch::new([0.25_f64, 0.5], [1e-3, 0.0], [0.0, 4e-3]);
+/// let (mut count, mut sum) = (0, 0.0);
+/// Grid::new(&pixel, 1e-9).visit(|cell| {
+///     count += 1;
+///     sum += cell.share;
+/// });
+/// assert!((8..=24).contains(&count) && (sum - 1.0).abs() < 1e-12);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grid<R> {
+    patch: Patch<R>,
+    /// Of the finer grid.
+    exponent: i32,
+    /// How far the coarser grid has come.
+    coarser: R,
+    seed: u32,
+}
+
+impl<R: Real> Grid<R> {
+    /// The grids of a pixel, with cells no smaller than `least`.
+    ///
+    /// Nor smaller than $2^{-20}$ of the coordinates' distance from the origin, for the sake of f32: coordinates of
+    /// large surfaces should restart, each tile with a seed of its own. NaN counts as 0 (of coordinates, as far away).
+    ///
+    /// WGSL: `lobe_grid_new`.
+    #[inline]
+    pub fn new(patch: &Patch<R>, least: R) -> Self {
+        Self::stretched(patch, [R::ONE; 2], least)
+    }
+
+    /// The grids of a pixel whose coordinates are compressed, with the cell size that it has without.
+    ///
+    /// WGSL: `lobe_grid_stretched`.
+    #[inline]
+    pub fn stretched(patch: &Patch<R>, factors: [R; 2], least: R) -> Self {
+        let [a, b] = patch.extents();
+        let anisotropic = a.max(b) / R::lit(f64::from(ANISOTROPY_LIMIT));
+        let distance = patch.uv[0].abs().max(patch.uv[1].abs().max(R::ZERO));
+        // `max` drops the NaN of a caller's.
+        let size =
+            patch.width().max(anisotropic).max(least).max(distance * R::power_of_two(-FARTHEST));
+        Self::of_size(patch.stretched(factors), size)
+    }
+
+    /// The grids of a pixel with cells of this size.
+    #[inline]
+    pub(super) fn of_size(patch: Patch<R>, size: R) -> Self {
+        let size = size.max(R::power_of_two(-100)).min(R::power_of_two(100));
+        let exponent = size.exponent();
+        let mantissa = size * R::power_of_two(-exponent);
+        let coarser = (mantissa.ln() / R::TWO.ln()).max(R::ZERO).min(R::ONE);
+        Self { patch, exponent, coarser, seed: 0 }
+    }
+
+    /// The same grids with other random numbers.
+    ///
+    /// WGSL: none, a field there.
+    #[must_use]
+    #[inline]
+    pub fn with_seed(self, seed: u32) -> Self {
+        Self { seed, ..self }
+    }
+
+    /// The finer grid's cells are of size $2^k$, k being this.
+    ///
+    /// WGSL: none, a field there.
+    #[inline]
+    pub fn exponent(&self) -> i32 {
+        self.exponent
+    }
+
+    /// How far the coarser grid has come, from 0, where there is only the finer one, to 1.
+    ///
+    /// WGSL: none, a field there.
+    #[inline]
+    pub fn coarser(&self) -> R {
+        self.coarser
+    }
+
+    /// Calls `f` with every cell that the pixel covers.
+    ///
+    /// WGSL: none, a loop there (`lobe_glint_lobe_sparkle`).
+    #[inline]
+    pub fn visit(&self, mut f: impl FnMut(Covered<R>)) {
+        let sum = self.walk(|_, _| ());
+        self.walk(|covered, _| f(Covered { share: covered.share / sum, ..covered }));
+    }
+
+    /// The same with shares that sum to what is returned.
+    #[inline]
+    pub(super) fn walk(&self, mut f: impl FnMut(Covered<R>, Cell)) -> R {
+        let mut sum = R::ZERO;
+        for (coarser, level) in [false, true].into_iter().zip(self.levels()) {
+            for n in 0..level.count {
+                let column = level.column(n);
+                for (step, share) in (0..).zip(column.shares) {
+                    if !(share > R::ZERO) {
+                        continue;
+                    }
+                    let (index, exponent) = (level.index(n, column.first + step), level.exponent);
+                    let cell = Cell::at(index, exponent, self.seed);
+                    let share = share * self.presence(cell, coarser);
+                    if share > R::ZERO {
+                        sum = sum + share;
+                        f(Covered { index, exponent, share }, cell);
+                    }
+                }
+            }
+        }
+        sum
+    }
+
+    /// How much of a cell is there, of the finer level or the coarser one.
+    #[inline]
+    fn presence(&self, cell: Cell, coarser: bool) -> R {
+        let (zero, one, even) = (R::ZERO, R::ONE, R::lit(EVEN));
+        let passed = (self.coarser * R::lit(1.0 + RAMP) - cell.turn()) * R::lit(1.0 / RAMP);
+        let come = even * self.coarser + (one - even) * passed.max(zero).min(one);
+        if coarser { come } else { one - come }
+    }
+
+    /// The finer level and the coarser one.
+    #[inline]
+    pub(super) fn levels(&self) -> [Level<R>; 2] {
+        [Level::new(&self.patch, self.exponent), Level::new(&self.patch, self.exponent + 1)]
+    }
+}

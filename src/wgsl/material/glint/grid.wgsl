@@ -1,0 +1,51 @@
+// Which cells a pixel covers, on two nested grids, and how much of each. Rust: src/material/glint/grid.rs.
+
+// Rust: `ANISOTROPY_LIMIT`.
+const LOBE_ANISOTROPY_LIMIT: u32 = 16u;
+// Rust: `RAMP`.
+const LOBE_GRID_RAMP: f32 = 0.5;
+// Rust: `EVEN`.
+const LOBE_GRID_EVEN: f32 = 0.03;
+
+// Rust: `Grid`.
+struct LobeGrid {
+    pixel: LobePatch,
+    exponent: i32,
+    coarser: f32,
+    seed: u32,
+}
+
+// Rust: `Grid::new`. NaN counts as 0, of coordinates as far away.
+fn lobe_grid_new(pixel: LobePatch, least: f32) -> LobeGrid {
+    return lobe_grid_stretched(pixel, vec2f(1.0, 1.0), least);
+}
+
+// Rust: `Grid::stretched`. NaN counts as 0, of coordinates as far away.
+fn lobe_grid_stretched(pixel: LobePatch, factors: vec2f, least: f32) -> LobeGrid {
+    let extents = lobe_patch_extents(pixel);
+    let anisotropic = lobe_max(extents.x, extents.y) / f32(LOBE_ANISOTROPY_LIMIT);
+    let distance = lobe_max(abs(pixel.uv.x), lobe_max(abs(pixel.uv.y), 0.0));
+    let farthest = distance * lobe_power_of_two(-LOBE_LEVEL_FARTHEST);
+    let size = lobe_max(lobe_max(lobe_max(lobe_patch_width(pixel), anisotropic), least), farthest);
+    return lobe_grid_of_size(lobe_patch_stretched(pixel, factors), size);
+}
+
+// Rust: `Grid::of_size`. The last number is ln(2), as `Real::ln` has it.
+fn lobe_grid_of_size(pixel: LobePatch, size: f32) -> LobeGrid {
+    let bounded = lobe_min(lobe_max(size, lobe_power_of_two(-100)), lobe_power_of_two(100));
+    let exponent = lobe_exponent(bounded);
+    let mantissa = bounded * lobe_power_of_two(-exponent);
+    return LobeGrid(pixel, exponent, lobe_min(lobe_max(lobe_ln(mantissa) / 0.6931472, 0.0), 1.0), 0u);
+}
+
+// Rust: `Grid::presence`.
+fn lobe_grid_presence(progress: f32, cell: LobeCell, coarser: bool) -> f32 {
+    let passed = (progress * (1.0 + LOBE_GRID_RAMP) - lobe_cell_turn(cell)) * (1.0 / LOBE_GRID_RAMP);
+    let come = LOBE_GRID_EVEN * progress + (1.0 - LOBE_GRID_EVEN) * lobe_min(lobe_max(passed, 0.0), 1.0);
+    return select(1.0 - come, come, coarser);
+}
+
+// Rust: `Grid::levels`: the finer one, or the coarser one.
+fn lobe_grid_level(grid: LobeGrid, coarser: bool) -> LobeLevel {
+    return lobe_level_new(grid.pixel, grid.exponent + select(0, 1, coarser));
+}

@@ -1,0 +1,254 @@
+// What a pixel sees of a glittering material: a lobe, and how much brighter than it. Rust: src/material/glint/lobe.rs.
+
+// Rust: `LEAST`.
+const LOBE_GLINT_LEAST: f32 = 1e-30;
+// WGSL only: the side of an angular bin, the root of pi.
+const LOBE_GLINT_SIDE: f32 = 1.7724539;
+// WGSL only: `Groove` as a number.
+const LOBE_GROOVE_NONE: u32 = 0u;
+// WGSL only: `Groove` as a number.
+const LOBE_GROOVE_ALONG_U: u32 = 1u;
+// WGSL only: `Groove` as a number.
+const LOBE_GROOVE_ALONG_V: u32 = 2u;
+
+// Rust: `GlintLobe`.
+struct LobeGlintLobe {
+    mean: vec2f,
+    biscale: LobeBiscale,
+    global: LobeRoughness,
+    grid: LobeGrid,
+    density: f32,
+    variation: f32,
+    share: f32,
+    groove: u32,
+}
+
+// Rust: `Reflection`.
+struct LobeReflection {
+    probability: f32,
+    bin: vec2f,
+}
+
+// WGSL only: what all cells of a level share under one half vector, captures of `GlintLobe::mixed` in Rust.
+struct LobeGlintDraws {
+    reflection: LobeReflection,
+    number: f32,
+    draw: LobeBinomial,
+    variation: f32,
+    progress: f32,
+    coarser: bool,
+    seed: u32,
+}
+
+// WGSL only: a cell's share of the pixel and its part of the sparkle, the count of its reflecting details, its colour.
+struct LobeGlintPart {
+    share: f32,
+    part: f32,
+    count: f32,
+    hue: f32,
+}
+
+// Rust: `GlintLobe::over`.
+fn lobe_glint_lobe_over(lobe: LobeGlintLobe, moments: LobeSlopeMoments) -> LobeGlintLobe {
+    let biscale = lobe_biscale_over(lobe.biscale, moments);
+    return LobeGlintLobe(
+        moments.mean, biscale, lobe_biscale_global(biscale), lobe.grid, lobe.density, lobe.variation, lobe.share,
+        lobe.groove
+    );
+}
+
+// Rust: `GlintLobe::widened`.
+fn lobe_glint_lobe_widened(lobe: LobeGlintLobe, kernel: LobeKernel) -> LobeGlintLobe {
+    let biscale = lobe_biscale_widened(lobe.biscale, kernel);
+    return LobeGlintLobe(
+        lobe.mean, biscale, lobe_biscale_global(biscale), lobe.grid, lobe.density, lobe.variation, lobe.share,
+        lobe.groove
+    );
+}
+
+// Rust: `GlintLobe::lobe`.
+fn lobe_glint_lobe_lobe(lobe: LobeGlintLobe) -> Lobe {
+    return Lobe(lobe.mean, lobe.global);
+}
+
+// Rust: `GlintLobe::probability`. 0 for NaN.
+fn lobe_glint_lobe_probability(lobe: LobeGlintLobe, h: vec3f, blur: f32) -> f32 {
+    return lobe_glint_lobe_reflection(lobe, h, lobe_glint_lobe_blurred(lobe, blur)).probability;
+}
+
+// Rust: `GlintLobe::sparkle`.
+fn lobe_glint_lobe_sparkle(lobe: LobeGlintLobe, h: vec3f, blur: f32) -> f32 {
+    if !(h.z > 0.0) {
+        return 0.0;
+    }
+    let reflection = lobe_glint_lobe_reflection(lobe, h, lobe_glint_lobe_blurred(lobe, blur));
+    if !(reflection.probability >= LOBE_GLINT_LEAST) {
+        return 1.0;
+    }
+    var shares = 0.0;
+    var sum = 0.0;
+    for (var k = 0u; k < 2u; k++) {
+        let level = lobe_grid_level(lobe.grid, k == 1u);
+        let draws = lobe_glint_lobe_draws(lobe, reflection, k == 1u);
+        for (var n = 0u; n < LOBE_LEVEL_COLUMNS; n++) {
+            if n >= level.count {
+                break;
+            }
+            let column = lobe_level_column(level, n);
+            for (var row = 0; row < 2; row++) {
+                let covered = lobe_level_covered(level, column, n, row);
+                if !(covered.share > 0.0) {
+                    continue;
+                }
+                let cell = lobe_glint_lobe_cell(draws, covered);
+                shares = shares + cell.share;
+                sum = sum + cell.part;
+            }
+        }
+    }
+    return lobe_glint_lobe_shared(lobe, sum / shares);
+}
+
+// Rust: `GlintLobe::coloured_sparkle`, with the hue wheel.
+fn lobe_glint_lobe_coloured_sparkle(lobe: LobeGlintLobe, h: vec3f, blur: f32) -> vec3f {
+    if !(h.z > 0.0) {
+        return vec3f(0.0, 0.0, 0.0);
+    }
+    let reflection = lobe_glint_lobe_reflection(lobe, h, lobe_glint_lobe_blurred(lobe, blur));
+    if !(reflection.probability >= LOBE_GLINT_LEAST) {
+        return vec3f(1.0, 1.0, 1.0);
+    }
+    var shares = 0.0;
+    var sum = vec3f(0.0, 0.0, 0.0);
+    for (var k = 0u; k < 2u; k++) {
+        let level = lobe_grid_level(lobe.grid, k == 1u);
+        let draws = lobe_glint_lobe_draws(lobe, reflection, k == 1u);
+        for (var n = 0u; n < LOBE_LEVEL_COLUMNS; n++) {
+            if n >= level.count {
+                break;
+            }
+            let column = lobe_level_column(level, n);
+            for (var row = 0; row < 2; row++) {
+                let covered = lobe_level_covered(level, column, n, row);
+                if !(covered.share > 0.0) {
+                    continue;
+                }
+                let cell = lobe_glint_lobe_cell(draws, covered);
+                shares = shares + cell.share;
+                sum = sum + lobe_colour_tint(lobe_hue_wheel(cell.hue), cell.count) * cell.part;
+            }
+        }
+    }
+    return vec3f(
+        lobe_glint_lobe_shared(lobe, sum.x / shares), lobe_glint_lobe_shared(lobe, sum.y / shares),
+        lobe_glint_lobe_shared(lobe, sum.z / shares)
+    );
+}
+
+// Rust: `GlintLobe::slope_pdf`. 0 for NaN.
+fn lobe_glint_lobe_slope_pdf(lobe: LobeGlintLobe, h: vec3f, blur: f32) -> f32 {
+    if !(h.z > 0.0) {
+        return 0.0;
+    }
+    // Not `lobe_slope_of`, which has 0 for NaN.
+    let at = lobe_tilted_normal(lobe_shape(lobe_glint_lobe_lobe(lobe)), vec3f(h.x / h.z, h.y / h.z, 1.0));
+    return lobe_min(lobe_defined(lobe_beckmann_slope_pdf(at) * lobe_glint_lobe_sparkle(lobe, h, blur)), LOBE_MAX);
+}
+
+// Rust: `GlintLobe::brdf`. 0 for NaN.
+fn lobe_glint_lobe_brdf(lobe: LobeGlintLobe, wo: vec3f, wi: vec3f, radius: f32) -> f32 {
+    let brdf = lobe_beckmann_brdf(lobe_tilted_pair(lobe_shape(lobe_glint_lobe_lobe(lobe)), wo, wi));
+    if !(brdf > 0.0) {
+        return 0.0;
+    }
+    let sparkle = lobe_glint_lobe_sparkle(lobe, lobe_half_vector(wo, wi), lobe_light_blur(wo, wi, radius));
+    return lobe_min(lobe_defined(brdf * sparkle), LOBE_MAX);
+}
+
+// Rust: `GlintLobe::blurred`.
+fn lobe_glint_lobe_blurred(lobe: LobeGlintLobe, blur: f32) -> LobePsd {
+    let added = lobe_magnitude(blur);
+    return lobe_psd_plus(lobe.biscale.local.psd, LobePsd(added, 0.0, added, added));
+}
+
+// Rust: `GlintLobe::reflection`.
+fn lobe_glint_lobe_reflection(lobe: LobeGlintLobe, h: vec3f, local: LobePsd) -> LobeReflection {
+    let global = lobe.global.psd;
+    if lobe.groove == LOBE_GROOVE_ALONG_V {
+        let across = lobe_glint_lobe_across(h.x / h.z, lobe.mean.x, local.xx, global.xx);
+        return LobeReflection(across.x, vec2f(across.y, 0.0));
+    }
+    if lobe.groove == LOBE_GROOVE_ALONG_U {
+        let across = lobe_glint_lobe_across(h.y / h.z, lobe.mean.y, local.yy, global.yy);
+        return LobeReflection(across.x, vec2f(0.0, across.y));
+    }
+    let shape = lobe_shape(lobe_glint_lobe_lobe(lobe));
+    let form = lobe_tilted_form(shape, h, vec3f(0.0, 0.0, 0.0));
+    let exponent = form / (shape.shape.root_det * h.z * h.z);
+    let peaks = lobe_min(local.root_det / global.root_det, 1.0);
+    let factor = lobe_psd_cholesky(local);
+    let per_bin = 2.0 / ((1.0 + h.z) * LOBE_GLINT_SIDE);
+    let x = h.x * per_bin / factor.x;
+    let y = (h.y * per_bin - factor.y * x) / factor.z;
+    return LobeReflection(lobe_max(peaks * lobe_exp(-exponent), 0.0), vec2f(x, y));
+}
+
+// Rust: `GlintLobe::across`: the probability, and the bin across.
+fn lobe_glint_lobe_across(slope: f32, mean: f32, local: f32, global: f32) -> vec2f {
+    let offset = slope + mean;
+    let peaks = sqrt(lobe_min(local / global, 1.0));
+    let probability = lobe_max(peaks * lobe_exp(-(offset * offset / global)), 0.0);
+    return vec2f(probability, slope / (LOBE_GLINT_SIDE * sqrt(local)));
+}
+
+// WGSL only: of `GlintLobe::mixed`: the draws of the finer level's cells, or of the coarser one's.
+fn lobe_glint_lobe_draws(lobe: LobeGlintLobe, reflection: LobeReflection, coarser: bool) -> LobeGlintDraws {
+    let number = lobe_glint_lobe_number(lobe, coarser);
+    let draw = lobe_binomial_new(number, reflection.probability);
+    return LobeGlintDraws(
+        reflection, number, draw, lobe.variation, lobe.grid.coarser, coarser, lobe.grid.seed
+    );
+}
+
+// WGSL only: of `GlintLobe::mixed`, which has it as a closure: all that is done for one cell.
+fn lobe_glint_lobe_cell(draws: LobeGlintDraws, covered: LobeCovered) -> LobeGlintPart {
+    let cell = lobe_cell_at(covered.index, covered.exponent, draws.seed);
+    let share = covered.share * lobe_grid_presence(draws.progress, cell, draws.coarser);
+    if !(share > 0.0) {
+        return LobeGlintPart(0.0, 0.0, 0.0, 0.0);
+    }
+    let varied = lobe_glint_lobe_varied(draws, cell);
+    let jitter = lobe_cell_jitter(cell);
+    let bin = vec2i(
+        lobe_floor(draws.reflection.bin.x + jitter.x), lobe_floor(draws.reflection.bin.y + jitter.y)
+    );
+    let count = lobe_binomial_draw(varied.draw, lobe_cell_count(cell, bin));
+    let part = share * (count / (varied.number * draws.reflection.probability));
+    return LobeGlintPart(share, part, count, lobe_cell_hue(cell));
+}
+
+// WGSL only: the end of `GlintLobe::sparkle`, of the sum over the cells. 0 for NaN.
+fn lobe_glint_lobe_shared(lobe: LobeGlintLobe, sum: f32) -> f32 {
+    return lobe_defined(1.0 + lobe.share * (sum - 1.0));
+}
+
+// Rust: `GlintLobe::varied`: the draws of a cell.
+fn lobe_glint_lobe_varied(draws: LobeGlintDraws, cell: LobeCell) -> LobeGlintDraws {
+    var varied = draws;
+    if draws.variation > 0.0 {
+        let z = lobe_normal_quantile(lobe_cell_size(cell));
+        varied.number = draws.number * lobe_exp(draws.variation * (z - 0.5 * draws.variation));
+        varied.draw = lobe_binomial_new(varied.number, draws.reflection.probability);
+    }
+    varied.number = lobe_min(lobe_max(varied.number, 1.0), 1e18);
+    return varied;
+}
+
+// Rust: `GlintLobe::numbers`, of one level.
+fn lobe_glint_lobe_number(lobe: LobeGlintLobe, coarser: bool) -> f32 {
+    let across = sqrt(lobe.density) * lobe_power_of_two(lobe.grid.exponent);
+    if lobe.groove == LOBE_GROOVE_NONE {
+        return select(1.0, 4.0, coarser) * (across * across);
+    }
+    return select(1.0, 2.0, coarser) * across;
+}
