@@ -1,11 +1,14 @@
 //! The command line of examples/bake: maps in and their moments out, mistakes in one line, and nothing half-written.
 #![cfg(all(feature = "std", feature = "lean"))]
 
+#[path = "common/command.rs"]
+mod command;
 #[path = "bake_cli/picture.rs"]
 mod picture;
 #[path = "common/example.rs"]
 mod program;
 
+use command::{names, said};
 use lobe::SlopeMoments;
 use lobe::material::lean::{
     Border, Float32, HeightField, MomentMap, NormalTexel, SlopeCap, Storage, Unorm16,
@@ -31,35 +34,18 @@ fn bake(input: &Path, out: &Path, options: &[&str]) -> Output {
 /// What it prints, if it succeeds.
 #[track_caller]
 fn baked(input: &Path, out: &Path, options: &[&str]) -> String {
-    let output = bake(input, out, options);
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{options:?}: {said}");
-    assert!(said.is_empty(), "{said}");
-    String::from_utf8(output.stdout).expect("UTF-8")
+    said(bake(input, out, options))
 }
 
 /// One line that says all of `parts`, and nothing printed.
 #[track_caller]
 fn complains(output: &Output, parts: &[&str]) {
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(output.stdout.is_empty());
-    assert_eq!(said.lines().count(), 1, "{said}");
-    assert!(said.starts_with("bake: ") && parts.iter().all(|part| said.contains(part)), "{said}");
+    command::complains("bake", output, parts);
 }
 
 /// A folder of the test's own, empty.
 fn folder(name: &str) -> PathBuf {
     program::folder("bake", name)
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    let mut names: Vec<_> = entries
-        .map(|entry| entry.expect("an entry").file_name().into_string().expect("UTF-8"))
-        .collect();
-    names.sort();
-    names
 }
 
 /// What the library makes of the same texels in f64.

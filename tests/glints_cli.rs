@@ -1,12 +1,15 @@
 //! The command line of examples/glints: pictures of the asked size, the zoom's energies, mistakes in one line, and nothing half-written.
 #![cfg(all(feature = "std", feature = "glint"))]
 
+#[path = "common/command.rs"]
+mod command;
 #[path = "glints_cli/files.rs"]
 mod files;
 #[path = "common/example.rs"]
 mod program;
 
-use files::{Picture, files, names, picture};
+use command::{names, said};
+use files::{Picture, files, picture};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -28,22 +31,13 @@ fn glints(out: &Path, options: &[&str]) -> Output {
 /// What it prints, if it succeeds.
 #[track_caller]
 fn drawn(out: &Path, options: &[&str]) -> String {
-    let output = glints(out, options);
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{options:?}: {said}");
-    assert!(said.is_empty(), "{said}");
-    String::from_utf8(output.stdout).expect("UTF-8")
+    said(glints(out, options))
 }
 
 /// One line that says all of `parts`, and nothing printed.
 #[track_caller]
 fn complains(output: &Output, parts: &[&str]) {
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(output.stdout.is_empty());
-    assert_eq!(said.lines().count(), 1, "{said}");
-    let all = parts.iter().all(|part| said.contains(part));
-    assert!(said.starts_with("glints: ") && all, "{parts:?}: {said}");
+    command::complains("glints", output, parts);
 }
 
 /// A folder of the test's own, empty.

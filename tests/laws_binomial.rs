@@ -70,6 +70,25 @@ fn f32_has_the_same_mean() {
     }
 }
 
+/// Where the tail is rarest, rounding may not make much more of it than there is: a count of 24 for one of 5 is a
+/// firefly. Differences from 1 are off by 1e-7, a thousand times the rarest tail, and each success is ten times as rare as
+/// the one before: three more.
+#[test]
+fn the_rarest_tails_are_those_of_f64() {
+    for n in TRIALS {
+        for mean in [1e-3, 0.03, 0.3, 1.0, 3.0, 3.9].into_iter().filter(|mean| mean / n <= 1.0) {
+            let (single, double) =
+                (Binomial::new(n as f32, (mean / n) as f32), Binomial::new(n, mean / n));
+            for k in 0..330 {
+                let tail = f64::exp2(-0.1 * f64::from(k)) as f32;
+                let (got, want) = (single.draw(tail), double.draw(f64::from(tail)));
+                let near = f64::from(got) <= want + 3.0;
+                assert!(near, "n {n}, mean {mean}, tail {tail:e}: {got}, not {want}");
+            }
+        }
+    }
+}
+
 /// The mean is exact where only the inversion serves, but for the midpoint rule's own error.
 #[test]
 fn between_two_probabilities_of_the_lattice_the_mean_is_kept() {

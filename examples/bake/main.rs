@@ -7,6 +7,8 @@
 mod encode;
 #[path = "../common/folder.rs"]
 mod folder;
+#[path = "../common/mistake.rs"]
+mod mistake;
 mod options;
 mod picture;
 #[path = "../common/progress.rs"]

@@ -1,7 +1,7 @@
 //! The command line, and what its options say to the library.
 
+use super::mistake;
 use super::slopes::Normals;
-use clap::error::ErrorKind;
 use clap::{Parser, ValueEnum};
 use lobe::material::lean::{Border, HeightField, SlopeCap, Unorm16};
 use std::num::NonZero;
@@ -82,19 +82,7 @@ const LEAST_RANGE: f32 = 1.0 / (1 << 29) as f32;
 impl Options {
     /// The options, or the exit code after help or a mistake, which is one line.
     pub(crate) fn of_command_line() -> Result<Self, ExitCode> {
-        Self::try_parse().map_err(|error| {
-            if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
-                // Readers that have seen enough (`| head`) are no error.
-                let _ = error.print();
-                return ExitCode::SUCCESS;
-            }
-            let text = error.to_string();
-            let first: Vec<&str> =
-                text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim).collect();
-            let line = first.join(" ");
-            eprintln!("bake: {}", line.strip_prefix("error: ").unwrap_or(&line));
-            ExitCode::from(2)
-        })
+        Self::try_parse().map_err(|error| mistake::told("bake", &error))
     }
 
     pub(crate) fn cap(&self) -> Result<SlopeCap<f32>, String> {

@@ -8,6 +8,8 @@ mod energy;
 #[path = "../common/folder.rs"]
 mod folder;
 mod material;
+#[path = "../common/mistake.rs"]
+mod mistake;
 mod options;
 mod picture;
 mod pixel;

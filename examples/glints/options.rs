@@ -1,6 +1,6 @@
 //! The command line.
 
-use clap::error::ErrorKind;
+use super::mistake;
 use clap::{Parser, ValueEnum};
 use std::num::NonZero;
 use std::path::PathBuf;
@@ -89,19 +89,7 @@ fn size(text: &str) -> Result<[usize; 2], String> {
 impl Options {
     /// The options, or the exit code after help or a mistake, which is one line.
     pub(crate) fn of_command_line() -> Result<Self, ExitCode> {
-        Self::try_parse().map_err(|error| {
-            if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
-                // Readers that have seen enough (`| head`) are no error.
-                let _ = error.print();
-                return ExitCode::SUCCESS;
-            }
-            let text = error.to_string();
-            let first: Vec<&str> =
-                text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim).collect();
-            let line = first.join(" ");
-            eprintln!("glints: {}", line.strip_prefix("error: ").unwrap_or(&line));
-            ExitCode::from(2)
-        })
+        Self::try_parse().map_err(|error| mistake::told("glints", &error))
     }
 
     /// What to draw, each once, in the order of the list.

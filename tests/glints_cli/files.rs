@@ -1,5 +1,6 @@
 //! What a run of examples/glints left in a folder: names, bytes, and pictures.
 
+use super::command::names;
 use png::{BitDepth, ColorType, Decoder};
 use std::fs;
 use std::io::Cursor;
@@ -19,16 +20,6 @@ pub(crate) fn picture(path: &Path) -> Picture {
     let info = reader.next_frame(&mut codes).expect("pixels");
     assert_eq!((info.color_type, info.bit_depth), (ColorType::Rgb, BitDepth::Eight));
     Picture { size: [info.width as usize, info.height as usize], codes }
-}
-
-/// Everything in a folder, in the order of the alphabet.
-pub(crate) fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    let mut names: Vec<_> = entries
-        .map(|entry| entry.expect("an entry").file_name().into_string().expect("UTF-8"))
-        .collect();
-    names.sort();
-    names
 }
 
 /// All files of a folder, with their bytes.

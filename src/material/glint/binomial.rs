@@ -171,8 +171,11 @@ impl<R: Real> Inversion<R> {
     /// A number on: `ratio` is that of the trials left to the number reached.
     #[inline]
     fn after(self, ratio: R) -> Self {
-        let this = self.this * (ratio * self.odds);
-        Self { this, more: self.more - this, ..self }
+        let factor = ratio * self.odds;
+        let this = self.this * factor;
+        let more = self.more - this;
+        // What follows falls by that factor and faster, so it is less than this: rounding may leave more of it.
+        Self { this, more: if factor < R::HALF { more.min(this) } else { more }, ..self }
     }
 }
 

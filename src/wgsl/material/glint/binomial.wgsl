@@ -110,8 +110,10 @@ fn lobe_inversion_new(trials: f32, p: f32) -> LobeInversion {
 
 // Rust: `Inversion::after`.
 fn lobe_inversion_after(inversion: LobeInversion, ratio: f32) -> LobeInversion {
-    let exactly = inversion.exactly * (ratio * inversion.odds);
-    return LobeInversion(exactly, inversion.more - exactly, inversion.odds);
+    let factor = ratio * inversion.odds;
+    let exactly = inversion.exactly * factor;
+    let more = inversion.more - exactly;
+    return LobeInversion(exactly, select(more, lobe_min(more, exactly), factor < 0.5), inversion.odds);
 }
 
 // Rust: `ceiling`.

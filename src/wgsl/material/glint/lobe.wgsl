@@ -40,12 +40,12 @@ struct LobeGlintDraws {
     seed: u32,
 }
 
-// WGSL only: a cell's share of the pixel and its part of the sparkle, the count of its reflecting details, its colour.
+// WGSL only: a cell, its share of the pixel and its part of the sparkle, and the count of its reflecting details.
 struct LobeGlintPart {
+    cell: LobeCell,
     share: f32,
     part: f32,
     count: f32,
-    hue: f32,
 }
 
 // Rust: `GlintLobe::over`.
@@ -78,71 +78,12 @@ fn lobe_glint_lobe_probability(lobe: LobeGlintLobe, h: vec3f, blur: f32) -> f32 
 
 // Rust: `GlintLobe::sparkle`.
 fn lobe_glint_lobe_sparkle(lobe: LobeGlintLobe, h: vec3f, blur: f32) -> f32 {
-    if !(h.z > 0.0) {
-        return 0.0;
-    }
-    let reflection = lobe_glint_lobe_reflection(lobe, h, lobe_glint_lobe_blurred(lobe, blur));
-    if !(reflection.probability >= LOBE_GLINT_LEAST) {
-        return 1.0;
-    }
-    var shares = 0.0;
-    var sum = 0.0;
-    for (var k = 0u; k < 2u; k++) {
-        let level = lobe_grid_level(lobe.grid, k == 1u);
-        let draws = lobe_glint_lobe_draws(lobe, reflection, k == 1u);
-        for (var n = 0u; n < LOBE_LEVEL_COLUMNS; n++) {
-            if n >= level.count {
-                break;
-            }
-            let column = lobe_level_column(level, n);
-            for (var row = 0; row < 2; row++) {
-                let covered = lobe_level_covered(level, column, n, row);
-                if !(covered.share > 0.0) {
-                    continue;
-                }
-                let cell = lobe_glint_lobe_cell(draws, covered);
-                shares = shares + cell.share;
-                sum = sum + cell.part;
-            }
-        }
-    }
-    return lobe_glint_lobe_shared(lobe, sum / shares);
+    return lobe_glint_lobe_mixed(lobe, h, blur, false).x;
 }
 
 // Rust: `GlintLobe::coloured_sparkle`, with the hue wheel.
 fn lobe_glint_lobe_coloured_sparkle(lobe: LobeGlintLobe, h: vec3f, blur: f32) -> vec3f {
-    if !(h.z > 0.0) {
-        return vec3f(0.0, 0.0, 0.0);
-    }
-    let reflection = lobe_glint_lobe_reflection(lobe, h, lobe_glint_lobe_blurred(lobe, blur));
-    if !(reflection.probability >= LOBE_GLINT_LEAST) {
-        return vec3f(1.0, 1.0, 1.0);
-    }
-    var shares = 0.0;
-    var sum = vec3f(0.0, 0.0, 0.0);
-    for (var k = 0u; k < 2u; k++) {
-        let level = lobe_grid_level(lobe.grid, k == 1u);
-        let draws = lobe_glint_lobe_draws(lobe, reflection, k == 1u);
-        for (var n = 0u; n < LOBE_LEVEL_COLUMNS; n++) {
-            if n >= level.count {
-                break;
-            }
-            let column = lobe_level_column(level, n);
-            for (var row = 0; row < 2; row++) {
-                let covered = lobe_level_covered(level, column, n, row);
-                if !(covered.share > 0.0) {
-                    continue;
-                }
-                let cell = lobe_glint_lobe_cell(draws, covered);
-                shares = shares + cell.share;
-                sum = sum + lobe_colour_tint(lobe_hue_wheel(cell.hue), cell.count) * cell.part;
-            }
-        }
-    }
-    return vec3f(
-        lobe_glint_lobe_shared(lobe, sum.x / shares), lobe_glint_lobe_shared(lobe, sum.y / shares),
-        lobe_glint_lobe_shared(lobe, sum.z / shares)
-    );
+    return lobe_glint_lobe_mixed(lobe, h, blur, true);
 }
 
 // Rust: `GlintLobe::slope_pdf`. 0 for NaN.
@@ -201,6 +142,46 @@ fn lobe_glint_lobe_across(slope: f32, mean: f32, local: f32, global: f32) -> vec
     return vec2f(probability, slope / (LOBE_GLINT_SIDE * sqrt(local)));
 }
 
+// Rust: `GlintLobe::mixed`, and what its two callers make of the cells: white, or in colours.
+fn lobe_glint_lobe_mixed(lobe: LobeGlintLobe, h: vec3f, blur: f32, coloured: bool) -> vec3f {
+    if !(h.z > 0.0) {
+        return vec3f(0.0, 0.0, 0.0);
+    }
+    let reflection = lobe_glint_lobe_reflection(lobe, h, lobe_glint_lobe_blurred(lobe, blur));
+    if !(reflection.probability >= LOBE_GLINT_LEAST) {
+        return vec3f(1.0, 1.0, 1.0);
+    }
+    var shares = 0.0;
+    var sum = vec3f(0.0, 0.0, 0.0);
+    for (var k = 0u; k < 2u; k++) {
+        let level = lobe_grid_level(lobe.grid, k == 1u);
+        let draws = lobe_glint_lobe_draws(lobe, reflection, k == 1u);
+        for (var n = 0u; n < LOBE_LEVEL_COLUMNS; n++) {
+            if n >= level.count {
+                break;
+            }
+            let column = lobe_level_column(level, n);
+            for (var row = 0; row < 2; row++) {
+                let covered = lobe_level_covered(level, column, n, row);
+                if !(covered.share > 0.0) {
+                    continue;
+                }
+                let cell = lobe_glint_lobe_cell(draws, covered);
+                var tint = vec3f(1.0, 1.0, 1.0);
+                if coloured {
+                    tint = lobe_colour_tint(lobe_hue_wheel(lobe_cell_hue(cell.cell)), cell.count);
+                }
+                shares = shares + cell.share;
+                sum = sum + tint * cell.part;
+            }
+        }
+    }
+    return vec3f(
+        lobe_glint_lobe_shared(lobe, sum.x / shares), lobe_glint_lobe_shared(lobe, sum.y / shares),
+        lobe_glint_lobe_shared(lobe, sum.z / shares)
+    );
+}
+
 // WGSL only: of `GlintLobe::mixed`: the draws of the finer level's cells, or of the coarser one's.
 fn lobe_glint_lobe_draws(lobe: LobeGlintLobe, reflection: LobeReflection, coarser: bool) -> LobeGlintDraws {
     let number = lobe_glint_lobe_number(lobe, coarser);
@@ -215,7 +196,7 @@ fn lobe_glint_lobe_cell(draws: LobeGlintDraws, covered: LobeCovered) -> LobeGlin
     let cell = lobe_cell_at(covered.index, covered.exponent, draws.seed);
     let share = covered.share * lobe_grid_presence(draws.progress, cell, draws.coarser);
     if !(share > 0.0) {
-        return LobeGlintPart(0.0, 0.0, 0.0, 0.0);
+        return LobeGlintPart(cell, 0.0, 0.0, 0.0);
     }
     let varied = lobe_glint_lobe_varied(draws, cell);
     let jitter = lobe_cell_jitter(cell);
@@ -224,7 +205,7 @@ fn lobe_glint_lobe_cell(draws: LobeGlintDraws, covered: LobeCovered) -> LobeGlin
     );
     let count = lobe_binomial_draw(varied.draw, lobe_cell_count(cell, bin));
     let part = share * (count / (varied.number * draws.reflection.probability));
-    return LobeGlintPart(share, part, count, lobe_cell_hue(cell));
+    return LobeGlintPart(cell, share, part, count);
 }
 
 // WGSL only: the end of `GlintLobe::sparkle`, of the sum over the cells. 0 for NaN.

@@ -146,22 +146,27 @@ pub(super) fn variances(glints: &Glitter) -> String {
         let [low, high] = [-2.0, 2.0].map(|k| got.variance + k * got.variance_error);
         (low / together).max(apart / high) - 1.0
     });
-    let beyond = beyond.fold(0.0, f64::max);
+    let law = match beyond.fold(0.0, f64::max) {
+        0.0 => "within two standard errors what its own law says".into(),
+        beyond => format!(
+            "up to {} % and two standard errors beyond its own law",
+            significant(100.0 * beyond)
+        ),
+    };
     let of = |model: Model| {
         let found = glints.ripples.iter().find(|r| r.model == model && r.aspect == 1.0);
         found.map_or([f64::NAN; 2], |ripple| ends(ripple.points.iter().map(|p| p[1])))
     };
     let (square, published) = (of(Model::Default), of(Model::Published).map(significant));
     format!(
-        "A pixel of the default has {} of the variance of real details at aspect 1, {} at 4 and {} at 16, and is nowhere \
-         known (by two standard errors) to be more than {:.0} % beyond its own law. Square pixels of many details have {} to {}, \
-         by their width: {} to {} times less than if details reflected all or nothing. Published ones have {} to {}, as normal \
-         draws have half their variance there. Off the pole published pixels are calmer by h_z\u{2074} more: that factor stands in \
-         the probability, so that more details reflect, each of them fainter.",
+        "A pixel of the default has {} of the variance of real details at aspect 1, {} at 4 and {} at 16, {law}. \
+         Square pixels of many details have {} to {}, by their width: {} to {} times less than if details reflected all or \
+         nothing. Published ones have {} to {}, as normal draws have half their variance there. Off the pole published pixels \
+         are calmer by h_z\u{2074} more: that factor stands in the probability, so that more details reflect, each of them \
+         fainter.",
         over(1.0, default),
         over(4.0, default),
         over(16.0, default),
-        100.0 * beyond,
         significant(square[0]),
         significant(square[1]),
         significant(2.0 / square[1]),
