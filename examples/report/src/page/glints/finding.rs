@@ -1,6 +1,6 @@
 //! What the figures of glints show, in numbers.
 
-use super::tables::{half_name, kinds, mean};
+use super::tables::{half_name, is_sure, kinds, mean};
 use crate::glints::{Contest, Entry, Glitter, Judged, Light, Model, Moments};
 use crate::page::axis::plain;
 use crate::page::table::significant;
@@ -102,6 +102,7 @@ pub(super) fn counts(glints: &Glitter) -> String {
 pub(super) fn means(glints: &Glitter) -> String {
     let all = |light: Light, of: fn(&Judged) -> &Moments| {
         kinds(glints, light)
+            .filter(|kinds| is_sure(kinds))
             .map(move |kinds| (mean(&kinds, of), kinds[0].material, kinds[0].half))
             .collect::<Vec<_>>()
     };

@@ -5,7 +5,7 @@ use crate::page::axis::plain;
 use crate::page::table::{Line, Table, significant};
 
 pub(super) const MEANS_NOTE: &str = "Above: mean of the pixels over the smooth lobe, minus 1, in %, with its standard error, over \
-    aspects 1, 4 and 16. The sun appears with a radius of 0.00465. Half vectors in \u{3b1}; of the rough surface they stand 63 and 76 \
+    aspects 1, 4 and 16; too rare: a sample met fewer than a hundred details that reflect. The sun appears with a radius of 0.00465. Half vectors in \u{3b1}; of the rough surface they stand 63 and 76 \
     degrees from the pole. Below: pixels of one cell at the pole, details of a tenth of \u{3b1}; the default\u{2019}s variation ends \
     at 4, the published shader\u{2019}s snow has 100.";
 
@@ -24,6 +24,11 @@ pub(super) fn kinds(glints: &Glitter, light: Light) -> impl Iterator<Item = Vec<
     let lit: Vec<_> = glints.judged.iter().filter(|judged| judged.light == light).collect();
     let count = lit.len() / ASPECTS.len();
     (0..count).map(move |k| lit[k * ASPECTS.len()..][..ASPECTS.len()].to_vec())
+}
+
+/// Whether details that reflect were met often enough: of fewer, a sample does not know its own error.
+pub(super) fn is_sure(kinds: &[&Judged]) -> bool {
+    kinds.iter().all(|judged| judged.is_sure())
 }
 
 /// Mean over aspects, minus 1, and its standard error.
@@ -66,7 +71,11 @@ pub(super) fn means(glints: &Glitter) -> Table {
     let rows = point.zip(sun).map(|(point, sun)| {
         let first = point[0];
         let of = |kinds: &[&Judged], moments: fn(&Judged) -> &Moments| {
-            plus_minus(mean(kinds, moments).map(|x| 100.0 * x), 2)
+            if is_sure(kinds) {
+                plus_minus(mean(kinds, moments).map(|x| 100.0 * x), 2)
+            } else {
+                "too rare".into()
+            }
         };
         line(vec![
             format!("{}, {}", first.material, half_name(first.half)),
