@@ -23,7 +23,7 @@ const QUANTILE: [f32; 10] = [
 
 /// The z that a standard normal number exceeds with probability `v`, for v from 2^-34 to 1 - 2^-24.
 ///
-/// Relative error 5.4e-6 in f64, 1e-5 in f32 , enough for a law of what is random anyway. Odd
+/// Relative error 5.4e-6 in f64, 1e-5 in f32, enough for a law of what is random anyway. Odd
 /// about 1/2, where it is 0. v outside counts as the nearest, NaN as the smallest.
 #[inline(always)]
 pub(crate) fn normal_quantile<R: Real>(v: R) -> R {
