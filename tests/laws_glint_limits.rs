@@ -119,15 +119,15 @@ fn a_groove_is_the_same_along_its_length() {
     }
 }
 
-/// A pixel is never brighter than one detail seen along its normal, whatever the number of details.
+/// A pixel is never brighter than two details seen along their normals, whatever their number: whole numbers no more than
+/// one, and real ones are as many trials as the next whole number.
 #[test]
-fn no_pixel_is_brighter_than_a_detail() {
+fn no_pixel_is_brighter_than_two_details() {
     check(30_000, |source| {
         let (glints, patch, h) = (glints(source), patch(source), above(source));
         let pixel: GlintLobe<f64> = glints.lobe(&patch);
         let (sparkle, p) = (pixel.sparkle(h, 0.0), pixel.probability(h, 0.0));
         ensure(sparkle >= 0.0 && sparkle.is_finite(), "not a number", &(glints, patch, h))?;
-        // Real numbers of details are as many trials as the next whole one: up to twice the ratio.
         ensure(
             sparkle * p <= 2.0 + 1e-12 || p < 1e-30,
             "too bright",

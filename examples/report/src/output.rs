@@ -1,4 +1,4 @@
-//! The page's files: checked before the work, each written whole or not at all.
+//! The page's files: checked before the work, written all or none.
 
 use std::fs;
 use std::io;
@@ -9,6 +9,8 @@ use crate::options::Mistake;
 /// Where the page goes.
 pub(crate) struct Output {
     folder: PathBuf,
+    /// Whether it was not there before.
+    made: bool,
 }
 
 /// Name of the page.
@@ -26,7 +28,7 @@ pub(crate) const COVER: &str = "cover.png";
 impl Output {
     /// Makes the folder and proves that a file can be written there.
     pub(crate) fn prepare(folder: &Path) -> Result<Self, Mistake> {
-        let output = Self { folder: folder.into() };
+        let output = Self { folder: folder.into(), made: !folder.exists() };
         let refused = |error: &dyn std::fmt::Display| {
             Mistake(format!("--out '{}': cannot be written to ({error})", folder.display()))
         };
@@ -41,19 +43,29 @@ impl Output {
         Ok(output)
     }
 
-    /// Writes a file under another name, then renames it: a reader sees the old one or the new one.
-    pub(crate) fn write(&self, name: &str, content: &[u8]) -> Result<PathBuf, Mistake> {
-        let (unfinished, finished) = (self.unfinished(name), self.folder.join(name));
-        let written: io::Result<()> =
-            fs::write(&unfinished, content).and_then(|()| fs::rename(&unfinished, &finished));
-        match written {
-            Ok(()) => Ok(finished),
-            Err(error) => {
-                // Whether or not this succeeds, the first error is the one to report.
-                let _ = fs::remove_file(&unfinished);
-                Err(Mistake(format!("--out '{}': {error}", self.folder.display())))
+    /// Writes files under other names, then renames them: a reader sees the old ones or the new ones.
+    pub(crate) fn write(&self, files: &[(&str, Vec<u8>)]) -> Result<(), Mistake> {
+        let each = |f: &dyn Fn(&str, &[u8]) -> io::Result<()>| {
+            files.iter().try_for_each(|(name, content)| f(name, content))
+        };
+        let written = each(&|name, content| fs::write(self.unfinished(name), content));
+        let placed = written
+            .and_then(|()| each(&|name, _| fs::rename(self.unfinished(name), self.path(name))));
+        placed.map_err(|error| {
+            // Whether or not the rest succeeds, the first error is the one to report.
+            for (name, _) in files {
+                let _ = fs::remove_file(self.unfinished(name));
             }
-        }
+            if self.made {
+                let _ = fs::remove_dir(&self.folder);
+            }
+            Mistake(format!("--out '{}': {error}", self.folder.display()))
+        })
+    }
+
+    /// Where a file goes.
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
     }
 
     /// A name that no other run uses at the same time.

@@ -99,12 +99,14 @@ fn report(options: &Options) -> Result<(), Mistake> {
     print(&report.sizes_text());
     print(&report.advice_text());
     let cover = report.cover();
-    if let Some(cover) = &cover {
-        output.write(output::COVER, &cover.file)?;
-    }
-    output.write(output::ADVICE, report.advice_markdown().as_bytes())?;
-    output.write(output::DATA, &report.json().map_err(Mistake)?)?;
-    let path = output.write(output::PAGE, report.html(&methods).as_bytes())?;
+    let mut files = vec![
+        (output::ADVICE, report.advice_markdown().into_bytes()),
+        (output::DATA, report.json().map_err(Mistake)?),
+        (output::PAGE, report.html(&methods).into_bytes()),
+    ];
+    files.extend(cover.iter().map(|cover| (output::COVER, cover.file.clone())));
+    output.write(&files)?;
+    let path = output.path(output::PAGE);
     print(&format!("{}Page: {}\n", report.summary_text(cover.as_ref()), path.display()));
     Ok(())
 }

@@ -79,7 +79,9 @@ impl<R: Real> Glints<R> {
 
     /// With numbers of details that vary from cell to cell: their logarithms have this deviation.
     ///
-    /// Log-normal with mean 1, so cells differ and the density stays. At 0, the default, all cells have as many.
+    /// Log-normal with mean 1, so cells differ and the density stays, but for cells that would have less than one detail:
+    /// they have one. Of cells with one in the mean that is more than half, and 1.4 times as many details at a deviation of
+    /// 1. Light keeps its mean in any case. At 0, the default, all cells have as many.
     ///
     /// # Errors
     /// [`Error::Variation`] outside [0, 4].
@@ -130,7 +132,7 @@ impl<R: Real> Glints<R> {
 
     /// Edge of the smallest cell: the square that one detail has, rounded to a power of two.
     ///
-    /// What is closer shows details, not fewer of them, and as both grids end there, one of them.
+    /// What is closer shows details, not fewer of them: both grids end there, and a cell has one or two draws.
     ///
     /// ```
     /// use lobe::material::glint::{Biscale, Glints};

@@ -30,15 +30,16 @@ pub struct Covered<R> {
 ///
 /// The cell size is the pixel's width ([`Patch::width`]), or for longer pixels a sixteenth ([`ANISOTROPY_LIMIT`]) of its
 /// longer extent ([`Patch::extents`]): the power of two below it, and the one above. On the way from one to the other, by
-/// the size's logarithm, cells come and go one by one, each at its own time ([`Cell::turn`]). Each column of cells that the pixel reaches along its longer extent has two
-/// cells, weighted by their distances from the pixel's middle line, and at its ends by their overlap: at most 104 cells.
-/// Continuous in coordinates and derivatives, but where a long pixel turns through a diagonal, from columns to rows.
+/// the size's logarithm, cells come and go one by one, each at its own time ([`Cell::turn`]). Columns of cells stand along the pixel's longer extent, over as much of it as it is
+/// longer than wide; each has two cells, weighted by their distances from the pixel's middle line, and at the ends columns
+/// by their overlap: at most 104 cells. Continuous in coordinates and derivatives, but where a pixel at least 1.4 times as
+/// long as wide turns through a diagonal, from columns to rows; square ones have no columns to turn.
 ///
 /// Source: Zirr & Kaplanyan 2016, section 4.2. There the width is the chord along the other axis, $|d_x \times d_y| / \max
 /// E$, which is 1.4 times as large for a square that stands on its corner; all cells of both levels are blended by
-/// one weight, and where it leaves 0 dim, large glints appear everywhere at once; columns lie along the longer of the two medians, which jumps where
-/// the other becomes longer, and beyond the pixel's ends; and the axis is chosen before coordinates are compressed
-/// for anisotropic details, so that columns may leave the pixel.
+/// one weight, and where it leaves 0 dim, large glints appear everywhere at once; columns stand over all of the longer extent but a cell, so that squares jump where rounding turns them
+/// from columns to rows; and they lie along the longer of the two medians, which jumps where the other becomes longer, and
+/// beyond the pixel's ends.
 ///
 /// ```
 /// use lobe::material::glint::{Grid, Patch};
@@ -53,6 +54,8 @@ pub struct Covered<R> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid<R> {
     patch: Patch<R>,
+    /// What of the patch's length is no length: cells along it stand for the rest.
+    width: R,
     /// Of the finer grid.
     exponent: i32,
     /// How far the coarser grid has come.
@@ -83,17 +86,18 @@ impl<R: Real> Grid<R> {
         // `max` drops the NaN of a caller's.
         let size =
             patch.width().max(anisotropic).max(least).max(distance * R::power_of_two(-FARTHEST));
-        Self::of_size(patch.stretched(factors), size)
+        let stretched = patch.stretched(factors);
+        Self { width: stretched.width(), ..Self::of_size(stretched, size) }
     }
 
-    /// The grids of a pixel with cells of this size.
+    /// The grids of a pixel with cells of this size, of a pixel without a width.
     #[inline]
     pub(super) fn of_size(patch: Patch<R>, size: R) -> Self {
         let size = size.max(R::power_of_two(-100)).min(R::power_of_two(100));
         let exponent = size.exponent();
         let mantissa = size * R::power_of_two(-exponent);
         let coarser = (mantissa.ln() / R::TWO.ln()).max(R::ZERO).min(R::ONE);
-        Self { patch, exponent, coarser, seed: 0 }
+        Self { patch, width: R::ZERO, exponent, coarser, seed: 0 }
     }
 
     /// The same grids with other random numbers.
@@ -166,6 +170,6 @@ impl<R: Real> Grid<R> {
     /// The finer level and the coarser one.
     #[inline]
     pub(super) fn levels(&self) -> [Level<R>; 2] {
-        [Level::new(&self.patch, self.exponent), Level::new(&self.patch, self.exponent + 1)]
+        [0, 1].map(|k| Level::new(&self.patch, self.width, self.exponent + k))
     }
 }

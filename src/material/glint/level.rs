@@ -42,7 +42,7 @@ pub(super) struct Column<R> {
 
 impl<R: Real> Level<R> {
     #[inline]
-    pub(super) fn new(patch: &Patch<R>, exponent: i32) -> Self {
+    pub(super) fn new(patch: &Patch<R>, width: R, exponent: i32) -> Self {
         let [a, b] = patch.extents();
         let along_v = b > a;
         let inverse = R::power_of_two(-exponent);
@@ -57,10 +57,10 @@ impl<R: Real> Level<R> {
         let across = [right[1], up[1]].map(|x| x * inverse);
         let skew = (p * across[0] + q * across[1]) / (p * p + q * q);
         let skew = skew.max(-R::ONE).min(R::ONE);
-        // Half a cell inwards at both ends.
+        // By what the pixel is longer than wide, and no less than a cell.
         let most = R::lit(f64::from(2 * ANISOTROPY_LIMIT));
         let long = p.abs().max(q.abs().max(R::ZERO)).min(most);
-        let half = R::HALF * (long - R::ONE).max(R::ZERO);
+        let half = R::HALF * (long - (width * inverse).max(R::ONE)).max(R::ZERO);
         let (begin, end) = (centre[0] - half, centre[0] + half);
         let first = begin.floor();
         let count = (end.floor() - first) as u32 + 2;

@@ -26,7 +26,7 @@ const STEPS: u32 = 17;
 
 /// The model of the 2016 paper, with the choices of its authors' shader.
 ///
-/// It differs from [`Glints`](super::Glints) in what follows; each has its test in tests/glints_published.rs.
+/// It differs from [`Glints`](super::Glints) in what follows; tests/glints_published.rs shows each but the patterns.
 ///
 /// - $1/h_z^4$ stands inside the probability, which is cut at 1: the mean is too low at grazing half vectors.
 /// - A light of radius $\gamma$ adds $\gamma^2/(4 (w_i \cdot h) h_z)$ to the probability at every half vector: a haze.
@@ -212,7 +212,7 @@ fn erf_inverse<R: Real>(u: R) -> R {
 ///
 /// ```
 /// use lobe::material::glint::{Binomial, published_count};
-/// // At a mean of 10 the quantile of one in a thousand: 20 details, and 16.8 as published.
+/// // At a mean of 10 the quantile of one in a thousand: 21 details, and 16.9 as published.
 /// assert!((Binomial::new(1e4_f64, 1e-3).draw(1e-3) - 21.0).abs() < 1.0);
 /// assert!((published_count(0.999_f64, 1e4, 1e-3) - 16.9).abs() < 0.1);
 /// ```

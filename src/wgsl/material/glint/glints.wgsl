@@ -35,7 +35,7 @@ fn lobe_glints_detail_size(glints: LobeGlints) -> f32 {
 // Rust: `Glints::lobe`, with what `GlintLobe::new` does there: no two files import from each other.
 fn lobe_glints_lobe(glints: LobeGlints, pixel: LobePatch) -> LobeGlintLobe {
     let grid = lobe_grid_stretched(pixel, glints.stretch, lobe_glints_detail_size(glints));
-    let seeded = LobeGrid(grid.pixel, grid.exponent, grid.coarser, glints.seed);
+    let seeded = LobeGrid(grid.pixel, grid.width, grid.exponent, grid.coarser, glints.seed);
     return LobeGlintLobe(
         vec2f(0.0, 0.0), glints.biscale, lobe_biscale_global(glints.biscale), seeded, glints.density, glints.variation,
         glints.share, glints.groove

@@ -10,6 +10,7 @@ const LOBE_GRID_EVEN: f32 = 0.03;
 // Rust: `Grid`.
 struct LobeGrid {
     pixel: LobePatch,
+    width: f32,
     exponent: i32,
     coarser: f32,
     seed: u32,
@@ -27,7 +28,9 @@ fn lobe_grid_stretched(pixel: LobePatch, factors: vec2f, least: f32) -> LobeGrid
     let distance = lobe_max(abs(pixel.uv.x), lobe_max(abs(pixel.uv.y), 0.0));
     let farthest = distance * lobe_power_of_two(-LOBE_LEVEL_FARTHEST);
     let size = lobe_max(lobe_max(lobe_max(lobe_patch_width(pixel), anisotropic), least), farthest);
-    return lobe_grid_of_size(lobe_patch_stretched(pixel, factors), size);
+    let stretched = lobe_patch_stretched(pixel, factors);
+    let grid = lobe_grid_of_size(stretched, size);
+    return LobeGrid(stretched, lobe_patch_width(stretched), grid.exponent, grid.coarser, 0u);
 }
 
 // Rust: `Grid::of_size`. The last number is ln(2), as `Real::ln` has it.
@@ -35,7 +38,7 @@ fn lobe_grid_of_size(pixel: LobePatch, size: f32) -> LobeGrid {
     let bounded = lobe_min(lobe_max(size, lobe_power_of_two(-100)), lobe_power_of_two(100));
     let exponent = lobe_exponent(bounded);
     let mantissa = bounded * lobe_power_of_two(-exponent);
-    return LobeGrid(pixel, exponent, lobe_min(lobe_max(lobe_ln(mantissa) / 0.6931472, 0.0), 1.0), 0u);
+    return LobeGrid(pixel, 0.0, exponent, lobe_min(lobe_max(lobe_ln(mantissa) / 0.6931472, 0.0), 1.0), 0u);
 }
 
 // Rust: `Grid::presence`.
@@ -47,5 +50,5 @@ fn lobe_grid_presence(progress: f32, cell: LobeCell, coarser: bool) -> f32 {
 
 // Rust: `Grid::levels`: the finer one, or the coarser one.
 fn lobe_grid_level(grid: LobeGrid, coarser: bool) -> LobeLevel {
-    return lobe_level_new(grid.pixel, grid.exponent + select(0, 1, coarser));
+    return lobe_level_new(grid.pixel, grid.width, grid.exponent + select(0, 1, coarser));
 }

@@ -34,7 +34,7 @@ struct LobeColumn {
 }
 
 // Rust: `Level::new`.
-fn lobe_level_new(pixel: LobePatch, exponent: i32) -> LobeLevel {
+fn lobe_level_new(pixel: LobePatch, width: f32, exponent: i32) -> LobeLevel {
     let extents = lobe_patch_extents(pixel);
     let along_v = extents.y > extents.x;
     let inverse = lobe_power_of_two(-exponent);
@@ -48,7 +48,7 @@ fn lobe_level_new(pixel: LobePatch, exponent: i32) -> LobeLevel {
     let skew = (right.x * right.y + up.x * up.y) / (right.x * right.x + up.x * up.x);
     let most = f32(2u * LOBE_LEVEL_ANISOTROPY);
     let long = lobe_min(lobe_max(abs(right.x), lobe_max(abs(up.x), 0.0)), most);
-    let half = 0.5 * lobe_max(long - 1.0, 0.0);
+    let half = 0.5 * lobe_max(long - lobe_max(width * inverse, 1.0), 0.0);
     let begin = centre.x - half;
     let end = centre.x + half;
     let first = lobe_floor(begin);

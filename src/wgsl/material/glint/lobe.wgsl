@@ -52,7 +52,7 @@ struct LobeGlintPart {
 fn lobe_glint_lobe_over(lobe: LobeGlintLobe, moments: LobeSlopeMoments) -> LobeGlintLobe {
     let biscale = lobe_biscale_over(lobe.biscale, moments);
     return LobeGlintLobe(
-        moments.mean, biscale, lobe_biscale_global(biscale), lobe.grid, lobe.density, lobe.variation, lobe.share,
+        lobe.mean + moments.mean, biscale, lobe_biscale_global(biscale), lobe.grid, lobe.density, lobe.variation, lobe.share,
         lobe.groove
     );
 }
