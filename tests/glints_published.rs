@@ -167,13 +167,16 @@ fn parts_of_details_are_brighter_than_details() {
     assert!((most / peak - 1.0 / n).abs() < 0.01 / n, "{most} of {peak}");
 }
 
+/// Calls a function with every cell of a pixel.
+type Visit<'a> = dyn Fn(&Patch<f64>, &mut dyn FnMut(Covered<f64>)) + 'a;
+
 /// Columns along the longer median: where the other becomes longer, they are elsewhere at once. Ours are not.
 #[test]
 fn columns_jump_where_medians_change() {
     let model = published(0.6, 0.5, 1e6);
     let ours = Glints::new(biscale(0.6, 0.5), 1e6).expect("in range");
     let patch = |x: f64| Patch::new([0.3, 0.2], [4.0, 1.5], [4.0 * x, -1.5]);
-    let moved = |visit: &dyn Fn(&Patch<f64>, &mut dyn FnMut(Covered<f64>))| {
+    let moved = |visit: &Visit<'_>| {
         let mut shares = HashMap::new();
         for (sign, x) in [(1.0, 1.0 - 1e-9), (-1.0, 1.0 + 1e-9)] {
             visit(&patch(x), &mut |cell| {
