@@ -8,7 +8,7 @@ use crate::filter::Kernel;
 use crate::material::Fresnel;
 use crate::ndf::{BeckmannDistribution, Distribution, GgxDistribution, Ndf};
 use crate::scalar::Real;
-use crate::slope::direction::half_vector;
+use crate::slope::direction::{dot, half_vector};
 use crate::slope::{Footprint, Full, Lobe, Shape, Tilted};
 use core::marker::PhantomData;
 
@@ -122,17 +122,22 @@ impl<D: Distribution, R: Real> Shading<D, R> {
     #[inline]
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
-        self.colour(self.ndf.brdf(wo, wi), wo, wi)
+        colour(&self.fresnel, self.ndf.shape(), self.ndf.brdf(wo, wi), wo, wi)
     }
+}
 
-    /// `brdf` times cosine and Fresnel.
-    #[inline]
-    fn colour(&self, brdf: R, wo: [R; 3], wi: [R; 3]) -> [R; 3] {
-        let h = half_vector(wo, wi);
-        let cos = wo[0] * h[0] + wo[1] * h[1] + wo[2] * h[2];
-        let area = self.ndf.shape().mean_area(wi).max(R::ZERO);
-        self.fresnel.reflectance(cos).map(|f| (f * brdf * area).min(R::MAX))
-    }
+/// `brdf` times cosine and Fresnel.
+#[inline]
+fn colour<S: Shape>(
+    fresnel: &Fresnel<S::Scalar>,
+    shape: &S,
+    brdf: S::Scalar,
+    wo: [S::Scalar; 3],
+    wi: [S::Scalar; 3],
+) -> [S::Scalar; 3] {
+    let area = shape.mean_area(wi).max(S::Scalar::ZERO);
+    let reflectance = fresnel.reflectance(dot(wo, half_vector(wo, wi)));
+    reflectance.map(|f| (f * brdf * area).min(S::Scalar::MAX))
 }
 
 impl<R: Real> Shading<GgxDistribution, R> {
@@ -159,7 +164,7 @@ impl<R: Real> Shading<GgxDistribution, R> {
         footprint: &Footprint<R>,
     ) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
-        self.colour(self.ndf.brdf_over(wo, wi, footprint), wo, wi)
+        colour(&self.fresnel, self.ndf.shape(), self.ndf.brdf_over(wo, wi, footprint), wo, wi)
     }
 }
 

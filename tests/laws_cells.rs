@@ -79,26 +79,24 @@ const CORNERS: [[i32; 2]; 3] = [[-64, -64], [1000, 77], [-300_000, 500_001]];
 /// Chi-squared over 64 bins: its mean is 63 and its deviation 11.2, so 120 is five deviations.
 #[test]
 fn every_channel_is_uniform_at_every_level() {
-    for level in LEVELS {
-        for corner in CORNERS {
-            let cells = square(level, corner);
-            for channel in 0..CHANNELS {
-                let mut counts = [0.0; 64];
-                for cell in &cells {
-                    assert!((0.0..1.0).contains(&cell[channel]));
-                    counts[(cell[channel] * 64.0) as usize] += 1.0;
-                }
-                let expected = cells.len() as f64 / 64.0;
-                let chi: f64 =
-                    counts.iter().map(|n| (n - expected) * (n - expected) / expected).sum();
-                assert!(chi < 120.0, "level {level}, {corner:?}, channel {channel}: {chi}");
+    everywhere(|cells, place| {
+        for channel in 0..CHANNELS {
+            let mut counts = [0.0; 64];
+            for cell in cells {
+                assert!((0.0..1.0).contains(&cell[channel]));
+                counts[(cell[channel] * 64.0) as usize] += 1.0;
             }
+            let expected = cells.len() as f64 / 64.0;
+            let chi: f64 = counts.iter().map(|n| (n - expected) * (n - expected) / expected).sum();
+            assert!(chi < 120.0, "{place}, channel {channel}: {chi}");
         }
-    }
+    });
 }
 
-fn correlation(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
-    let (mut count, mut sums) = (0.0, [0.0; 5]);
+/// Of n independent pairs the correlation is within five deviations of 0.
+#[track_caller]
+fn uncorrelated(pairs: impl Iterator<Item = (f64, f64)>, place: &str) {
+    let (mut count, mut sums) = (0.0_f64, [0.0; 5]);
     for (a, b) in pairs {
         count += 1.0;
         for (sum, x) in sums.iter_mut().zip([a, b, a * a, b * b, a * b]) {
@@ -106,57 +104,46 @@ fn correlation(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
         }
     }
     let [a, b, aa, bb, ab] = sums.map(|sum| sum / count);
-    (ab - a * b) / ((aa - a * a) * (bb - b * b)).sqrt()
+    let r = (ab - a * b) / ((aa - a * a) * (bb - b * b)).sqrt();
+    assert!(r.abs() < 5.0 / count.sqrt(), "{place}: {r}");
 }
 
-/// Five deviations of the correlation of n independent pairs.
-fn noise(count: usize) -> f64 {
-    5.0 / (count as f64).sqrt()
+/// Calls `f` with every square on every level, and its name.
+fn everywhere(f: impl Fn(&[[f64; CHANNELS]], &str)) {
+    for level in LEVELS {
+        for corner in CORNERS {
+            f(&square(level, corner), &format!("level {level}, {corner:?}"));
+        }
+    }
 }
 
 #[test]
 fn channels_are_kept_apart() {
-    for level in LEVELS {
-        for corner in CORNERS {
-            let cells = square(level, corner);
-            for a in 0..CHANNELS {
-                for b in 0..a {
-                    let r = correlation(cells.iter().map(|cell| (cell[a], cell[b])));
-                    let limit = noise(cells.len());
-                    assert!(
-                        r.abs() < limit,
-                        "level {level}, {corner:?}, channels {a} and {b}: {r}"
-                    );
-                }
+    everywhere(|cells, place| {
+        for a in 0..CHANNELS {
+            for b in 0..a {
+                let pairs = cells.iter().map(|cell| (cell[a], cell[b]));
+                uncorrelated(pairs, &format!("{place}, channels {a} and {b}"));
             }
         }
-    }
+    });
 }
 
 #[test]
 fn neighbours_are_independent_at_every_level() {
-    for level in LEVELS {
-        for corner in CORNERS {
-            let cells = square(level, corner);
-            for channel in 0..CHANNELS {
-                for [x, y] in [[1, 0], [0, 1], [1, 1], [1, -1], [2, 0], [0, 4], [8, 8]] {
-                    let at = |x: i32, y: i32| {
-                        let inside = (0..128).contains(&x) && (0..128).contains(&y);
-                        inside.then(|| cells[(128 * y + x) as usize][channel])
-                    };
-                    let places = (0..128).flat_map(|v| (0..128).map(move |u| (u, v)));
-                    let pairs: Vec<(f64, f64)> =
-                        places.filter_map(|(u, v)| Some((at(u, v)?, at(u + x, v + y)?))).collect();
-                    let limit = noise(pairs.len());
-                    let r = correlation(pairs.into_iter());
-                    assert!(
-                        r.abs() < limit,
-                        "level {level}, {corner:?}, channel {channel}, step {x} {y}: {r}"
-                    );
-                }
+    everywhere(|cells, place| {
+        for channel in 0..CHANNELS {
+            for [x, y] in [[1, 0], [0, 1], [1, 1], [1, -1], [2, 0], [0, 4], [8, 8]] {
+                let at = |x: i32, y: i32| {
+                    let inside = (0..128).contains(&x) && (0..128).contains(&y);
+                    inside.then(|| cells[(128 * y + x) as usize][channel])
+                };
+                let places = (0..128).flat_map(|v| (0..128).map(move |u| (u, v)));
+                let pairs = places.filter_map(|(u, v)| Some((at(u, v)?, at(u + x, v + y)?)));
+                uncorrelated(pairs, &format!("{place}, channel {channel}, step {x} {y}"));
             }
         }
-    }
+    });
 }
 
 /// Bins of one cell: counts of a line of bins are as random as those of a line of cells.
@@ -169,9 +156,6 @@ fn bins_are_independent() {
     let lines: Vec<Vec<f64>> = lines.collect();
     for step in [1, 2, 5] {
         let pairs = lines.iter().flat_map(|line| line.iter().zip(&line[step..]));
-        let pairs: Vec<(f64, f64)> = pairs.map(|(a, b)| (*a, *b)).collect();
-        let limit = noise(pairs.len());
-        let r = correlation(pairs.into_iter());
-        assert!(r.abs() < limit, "step {step}: {r}");
+        uncorrelated(pairs.map(|(a, b)| (*a, *b)), &format!("step {step}"));
     }
 }

@@ -23,16 +23,17 @@ fn cell(k: u32) -> Patch<f64> {
     Patch::new([f64::from(x), f64::from(y)], [1.0, 0.0], [0.0, 1.0])
 }
 
-/// Mean and relative variance of the sparkle over cells.
-fn over_cells(
+/// Mean and relative variance of the sparkle over pixels.
+fn over_pixels(
     glints: &Glints<f64>,
     h: [f64; 3],
+    blur: f64,
     count: u32,
     patch: impl Fn(u32) -> Patch<f64>,
 ) -> (f64, f64) {
     let (mut sum, mut squares) = (0.0, 0.0);
     for k in 0..count {
-        let x = glints.lobe(&patch(k)).sparkle(h, 0.0);
+        let x = glints.lobe(&patch(k)).sparkle(h, blur);
         sum += x;
         squares += x * x;
     }
@@ -52,7 +53,7 @@ fn one_cell_varies_as_its_binomial_number() {
         let p = glints.lobe(&cell(0)).probability(h, 0.0);
         let law = (1.0 - p) / (n * p);
         assert!((law / stated - 1.0).abs() < 1e-3, "{law}, stated {stated}");
-        let (mean, variance) = over_cells(&glints, h, COUNT, cell);
+        let (mean, variance) = over_pixels(&glints, h, 0.0, COUNT, cell);
         let count = f64::from(COUNT);
         assert!((mean - 1.0).abs() < 4.0 * (law / count).sqrt(), "n {n}: mean {mean}");
         // Of a Poisson number the fourth moment is that of 1/mean + 3.
@@ -94,14 +95,8 @@ fn the_mean_is_the_smooth_lobe() {
             Patch::new([11.3 * f64::from(k), 12.9 * f64::from(k)], [right, shear], [0.0, up])
         };
         let count = 20_000;
-        let (mut sum, mut squares) = (0.0, 0.0);
-        for k in 0..count {
-            let x = glints.lobe(&patch(k)).sparkle(h, blur);
-            sum += x;
-            squares += x * x;
-        }
-        let mean = sum / f64::from(count);
-        let deviation = ((squares / f64::from(count) - mean * mean) / f64::from(count)).sqrt();
+        let (mean, variance) = over_pixels(&glints, h, blur, count, patch);
+        let deviation = mean * (variance / f64::from(count)).sqrt();
         let p = glints.lobe(&patch(0)).probability(h, blur);
         // Too rare to be met: the sample has no estimate of its own deviation.
         let rarest = p * density.max(1.0) * f64::from(count);
@@ -184,25 +179,12 @@ fn many_details_are_smooth() {
     };
     for density in [1e10, 1e13, 1e16] {
         let glints = snow(density);
-        let (mut sum, mut squares, mut law) = (0.0, 0.0, 0.0);
         let count = 20_000;
-        for k in 0..count {
-            let pixel = glints.lobe(&patch(k));
-            let x = pixel.sparkle(h, 0.0);
-            sum += x;
-            squares += (x - 1.0) * (x - 1.0);
-            let p = pixel.probability(h, 0.0);
-            // Cells that both levels have draw one uniform number for two counts.
-            let mut cells = std::collections::HashMap::new();
-            pixel.grid().visit(|cell| {
-                let n = density * f64::powi(4.0, cell.exponent);
-                let place = cell.index.map(|i| f64::from(i) * f64::powi(2.0, cell.exponent));
-                *cells.entry(place.map(f64::to_bits)).or_insert(0.0) += cell.share / (n * p).sqrt();
-            });
-            law += (1.0 - p) * cells.values().map(|x| x * x).sum::<f64>();
-        }
-        let (mean, variance, law) =
-            (sum / f64::from(count), squares / f64::from(count), law / f64::from(count));
+        let (mean, variance) = over_pixels(&glints, h, 0.0, count, patch);
+        let p = glints.lobe(&patch(0)).probability(h, 0.0);
+        // Cells that both levels have draw one uniform number for two counts.
+        let [_, together] = laws(density, p, count, patch, ours);
+        let law = together / (density * patch(0).area() * p);
         assert!((mean - 1.0).abs() < 5.0 * (law / f64::from(count)).sqrt(), "{density}: {mean}");
         assert!((variance / law - 1.0).abs() < 0.08, "{density}: {variance}, law {law}");
         if density == 1e16 {
@@ -278,7 +260,7 @@ fn the_variance_of_a_pixel_ripples_as_stated() {
             assert!((linear - figure).abs() < 0.015, "{place}: {linear}, stated {figure}");
             let [apart, together] = laws(density, p, 20_000, patch, ours);
             assert!(apart > 0.98 * linear && apart < 1.0, "{place}: {linear}, {apart}");
-            let (mean, variance) = over_cells(&glints, h, 60_000, patch);
+            let (mean, variance) = over_pixels(&glints, h, 0.0, 60_000, patch);
             assert!((mean - 1.0).abs() < 0.02, "{place}: mean {mean}");
             let got = variance * density * aspect * width * width * p / (1.0 - p);
             println!("{place}: {linear} {apart} {got} {together}");

@@ -2,12 +2,13 @@
 //!
 //! Floor 5.
 
+use super::colour;
 use crate::filter::Kernel;
 use crate::material::Fresnel;
 use crate::material::glint::{GlintLobe, Glints, Patch, light_blur};
 use crate::scalar::Real;
-use crate::slope::direction::{dot, half_vector};
-use crate::slope::{Shape, SlopeMoments};
+use crate::slope::SlopeMoments;
+use crate::slope::direction::half_vector;
 
 /// Glints with a Fresnel term.
 ///
@@ -73,7 +74,8 @@ impl<R: Real> GlintShading<R> {
     #[inline]
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>, radius: R) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
-        self.colour(self.lobe.brdf(wo, wi, radius), wo, wi)
+        let brdf = self.lobe.brdf(wo, wi, radius);
+        colour(&self.fresnel, self.lobe.ndf().shape(), brdf, wo, wi)
     }
 
     /// The same with a colour for each cell: [`GlintLobe::coloured_sparkle`].
@@ -101,20 +103,13 @@ impl<R: Real> GlintShading<R> {
         palette: impl Fn(R) -> [R; 3],
     ) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
-        let smooth = self.colour(self.lobe.ndf().brdf(wo, wi), wo, wi);
+        let ndf = self.lobe.ndf();
+        let smooth = colour(&self.fresnel, ndf.shape(), ndf.brdf(wo, wi), wo, wi);
         if !(smooth.iter().any(|x| *x > R::ZERO)) {
             return smooth;
         }
         let h = half_vector(wo, wi);
         let sparkle = self.lobe.coloured_sparkle(h, light_blur(wo, wi, radius), palette);
         [0, 1, 2].map(|k| (smooth[k] * sparkle[k]).min(R::MAX))
-    }
-
-    /// `brdf` times cosine and Fresnel.
-    #[inline]
-    fn colour(&self, brdf: R, wo: [R; 3], wi: [R; 3]) -> [R; 3] {
-        let area = self.lobe.lobe().shape().mean_area(wi).max(R::ZERO);
-        let cosine = dot(wo, half_vector(wo, wi));
-        self.fresnel.reflectance(cosine).map(|f| (f * brdf * area).min(R::MAX))
     }
 }

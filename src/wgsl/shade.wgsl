@@ -21,7 +21,7 @@ fn lobe_beckmann_evaluate(shape: LobeTilted, wo: vec3f, wi: vec3f, reflectance: 
     return lobe_shade_colour(shape, lobe_beckmann_brdf(lobe_tilted_pair(shape, wo, wi)), wi, reflectance);
 }
 
-// Rust: `Shading::colour`.
+// Rust: `colour`.
 fn lobe_shade_colour(shape: LobeTilted, brdf: f32, wi: vec3f, reflectance: vec3f) -> vec3f {
     let area = lobe_max(lobe_tilted_mean_area(shape, wi), 0.0);
     return vec3f(

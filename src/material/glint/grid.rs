@@ -87,17 +87,17 @@ impl<R: Real> Grid<R> {
         let size =
             patch.width().max(anisotropic).max(least).max(distance * R::power_of_two(-FARTHEST));
         let stretched = patch.stretched(factors);
-        Self { width: stretched.width(), ..Self::of_size(stretched, size) }
+        Self::of_size(stretched, stretched.width(), size)
     }
 
-    /// The grids of a pixel with cells of this size, of a pixel without a width.
+    /// The grids of a pixel of this width with cells of this size.
     #[inline]
-    pub(super) fn of_size(patch: Patch<R>, size: R) -> Self {
+    pub(super) fn of_size(patch: Patch<R>, width: R, size: R) -> Self {
         let size = size.max(R::power_of_two(-100)).min(R::power_of_two(100));
         let exponent = size.exponent();
         let mantissa = size * R::power_of_two(-exponent);
         let coarser = (mantissa.ln() / R::TWO.ln()).max(R::ZERO).min(R::ONE);
-        Self { patch, width: R::ZERO, exponent, coarser, seed: 0 }
+        Self { patch, width, exponent, coarser, seed: 0 }
     }
 
     /// The same grids with other random numbers.

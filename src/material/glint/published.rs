@@ -158,7 +158,8 @@ impl<R: Real> Published<R> {
         let (right, up) = (stretched.right, stretched.up);
         let median = if right[longer].abs() > up[longer].abs() { right } else { up };
         let size = width.max(long / R::lit(f64::from(ANISOTROPY_LIMIT)));
-        (Grid::of_size(stretched, size), median)
+        // Columns over all of the length.
+        (Grid::of_size(stretched, R::ZERO, size), median)
     }
 }
 

@@ -29,16 +29,15 @@ fn lobe_grid_stretched(pixel: LobePatch, factors: vec2f, least: f32) -> LobeGrid
     let farthest = distance * lobe_power_of_two(-LOBE_LEVEL_FARTHEST);
     let size = lobe_max(lobe_max(lobe_max(lobe_patch_width(pixel), anisotropic), least), farthest);
     let stretched = lobe_patch_stretched(pixel, factors);
-    let grid = lobe_grid_of_size(stretched, size);
-    return LobeGrid(stretched, lobe_patch_width(stretched), grid.exponent, grid.coarser, 0u);
+    return lobe_grid_of_size(stretched, lobe_patch_width(stretched), size);
 }
 
 // Rust: `Grid::of_size`. The last number is ln(2), as `Real::ln` has it.
-fn lobe_grid_of_size(pixel: LobePatch, size: f32) -> LobeGrid {
+fn lobe_grid_of_size(pixel: LobePatch, width: f32, size: f32) -> LobeGrid {
     let bounded = lobe_min(lobe_max(size, lobe_power_of_two(-100)), lobe_power_of_two(100));
     let exponent = lobe_exponent(bounded);
     let mantissa = bounded * lobe_power_of_two(-exponent);
-    return LobeGrid(pixel, 0.0, exponent, lobe_min(lobe_max(lobe_ln(mantissa) / 0.6931472, 0.0), 1.0), 0u);
+    return LobeGrid(pixel, width, exponent, lobe_min(lobe_max(lobe_ln(mantissa) / 0.6931472, 0.0), 1.0), 0u);
 }
 
 // Rust: `Grid::presence`.
