@@ -347,12 +347,10 @@ fn a_disk_that_fills_leaves_nothing() {
     let texels: Vec<u8> = (0..64 * 64 * 3_u32).map(|k| 160 + (k * k % 90) as u8).collect();
     let file = picture([64, 64], ColorType::Rgb, BitDepth::Eight, &texels);
     fs::write(&input, file).expect("a file");
-    // No file beyond 8 KiB: the first level's do not fit, the others do.
-    let limited = "trap '' XFSZ; ulimit -f 16; exec \"$0\" \"$@\"";
+    // The first level's files do not fit, the others do.
     for out in [&out, &folder.join(".")] {
-        let mut command = Command::new("sh");
-        command.args(["-c", limited]).arg(example()).arg(&input).arg("--out").arg(out);
-        let output = command.output().expect("a shell");
+        let mut command = command::limited(example());
+        let output = command.arg(&input).arg("--out").arg(out).output().expect("a shell");
         complains(&output, &["--out", ".0.", "too large"]);
         assert_eq!(names(&folder), ["normal.png"]);
     }
@@ -368,22 +366,11 @@ fn an_interrupt_leaves_nothing() {
     let texels: Vec<u8> = (0..3 * side * side).map(|k| 160 + (k % 83) as u8).collect();
     let file = picture([side, side], ColorType::Rgb, BitDepth::Eight, &texels);
     fs::write(&input, file).expect("a file");
-    // Ctrl-C, and what ends programs politely.
-    for signal in ["-INT", "-TERM"] {
+    for signal in command::SIGNALS {
         let mut command = Command::new(example());
         command.arg(&input).arg("--out").arg(&out).args(["--threads", "1"]);
-        command.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::piped());
-        let child = command.spawn().expect("the example runs");
         // The temporary folder is there from the header on: seconds before the end.
-        while names(&folder).len() < 2 {
-            std::thread::sleep(std::time::Duration::from_millis(1));
-        }
-        let kill = Command::new("kill").args([signal, &child.id().to_string()]).status();
-        assert!(kill.expect("kill").success());
-        let output = child.wait_with_output().expect("it ends");
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(130), "{said}");
-        assert!(said.starts_with("bake: ") && said.lines().count() == 1, "{said}");
+        command::interrupted("bake", &mut command, signal, || names(&folder).len() > 1);
         assert_eq!(names(&folder), ["normal.png"]);
     }
 }

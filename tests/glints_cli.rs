@@ -12,7 +12,7 @@ use command::{names, said};
 use files::{Picture, files, picture};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Output};
 use std::sync::OnceLock;
 
 const STILLS: [&str; 4] = ["ball.png", "brushed.png", "fabric.png", "snow.png"];
@@ -211,10 +211,8 @@ fn what_cannot_be_written_leaves_nothing() {
 #[test]
 fn a_disk_that_fills_leaves_nothing() {
     let folder = folder("full");
-    // No file beyond 8 KiB.
-    let limited = "trap '' XFSZ; ulimit -f 16; exec \"$0\" \"$@\"";
-    let mut command = Command::new("sh");
-    command.args(["-c", limited]).arg(example()).arg("--out").arg(folder.join("out"));
+    let mut command = command::limited(example());
+    command.arg("--out").arg(folder.join("out"));
     command.args(["--scene", "fabric", "--size", "320x180"]);
     let output = command.output().expect("a shell");
     complains(&output, &["--out", "fabric.png", "too large"]);
@@ -225,22 +223,11 @@ fn a_disk_that_fills_leaves_nothing() {
 #[test]
 fn an_interrupt_leaves_nothing() {
     let folder = folder("interrupt");
-    // Ctrl-C, and what ends programs politely.
-    for signal in ["-INT", "-TERM"] {
+    for signal in command::SIGNALS {
         let mut command = Command::new(example());
         command.arg("--out").arg(folder.join("out")).args(["--size", "2048x1152"]);
-        let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
-        let child = child.expect("the example runs");
         // The temporary folder is there from the beginning on: many seconds before the end.
-        while names(&folder).is_empty() {
-            std::thread::sleep(std::time::Duration::from_millis(1));
-        }
-        let kill = Command::new("kill").args([signal, &child.id().to_string()]).status();
-        assert!(kill.expect("kill").success());
-        let output = child.wait_with_output().expect("it ends");
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(130), "{said}");
-        assert!(said.starts_with("glints: ") && said.lines().count() == 1, "{said}");
+        command::interrupted("glints", &mut command, signal, || !names(&folder).is_empty());
         assert!(names(&folder).is_empty());
     }
 }

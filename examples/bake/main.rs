@@ -11,6 +11,8 @@ mod folder;
 mod mistake;
 mod options;
 mod picture;
+#[path = "../common/print.rs"]
+mod print;
 #[path = "../common/progress.rs"]
 mod progress;
 mod slopes;
@@ -96,9 +98,6 @@ fn main() -> ExitCode {
     progress.end();
     match baked.and_then(|summary| summary.print(&options)) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("bake: {}", message.trim_end());
-            ExitCode::from(if progress.stopped() { 130 } else { 2 })
-        }
+        Err(message) => print::failed("bake", &message, progress.stopped()),
     }
 }

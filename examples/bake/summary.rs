@@ -2,10 +2,11 @@
 
 use super::folder::Folder;
 use super::options::{Channels, Options};
+use super::print::print;
 use lobe::material::lean::{Border, Clipped};
 use serde_json::json;
 use std::fs;
-use std::io::{ErrorKind, Write};
+use std::io::Write;
 use std::path::Path;
 use std::time::Duration;
 
@@ -142,11 +143,7 @@ impl Summary {
     }
 
     pub(crate) fn print(&self, options: &Options) -> Result<(), String> {
-        match std::io::stdout().lock().write_all(self.text(options).as_bytes()) {
-            // A reader that has seen enough (`| head`) is no error.
-            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error.to_string()),
-            _ => Ok(()),
-        }
+        print(&self.text(options))
     }
 }
 

@@ -13,6 +13,8 @@ mod mistake;
 mod options;
 mod picture;
 mod pixel;
+#[path = "../common/print.rs"]
+mod print;
 #[path = "../common/progress.rs"]
 mod progress;
 mod render;
@@ -24,7 +26,6 @@ use folder::Folder;
 use options::{Options, Subject};
 use progress::Progress;
 use render::Renderer;
-use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 use std::time::Instant;
 use zoom::Zoom;
@@ -115,16 +116,8 @@ fn main() -> ExitCode {
     let progress = Progress::new();
     let drawn = draw(&options, &progress);
     progress.end();
-    let printed = drawn.and_then(|said| match std::io::stdout().write_all(said.as_bytes()) {
-        // A reader that has seen enough (`| head`) is no error.
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error.to_string()),
-        _ => Ok(()),
-    });
-    match printed {
+    match drawn.and_then(|said| print::print(&said)) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("glints: {message}");
-            ExitCode::from(if progress.stopped() { 130 } else { 2 })
-        }
+        Err(message) => print::failed("glints", &message, progress.stopped()),
     }
 }

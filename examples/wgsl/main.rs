@@ -6,6 +6,8 @@
 mod entry;
 mod link;
 mod output;
+#[path = "../common/print.rs"]
+mod print;
 mod translate;
 
 use clap::Parser;
@@ -131,9 +133,6 @@ fn main() -> ExitCode {
     let options = Options::parse();
     match output(&options).and_then(|output| output.put(options.out.as_deref())) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("wgsl: {}", message.trim_end());
-            ExitCode::from(2)
-        }
+        Err(message) => print::failed("wgsl", &message, false),
     }
 }

@@ -1,8 +1,9 @@
 //! Texts, words and folders: printed, or written all at once.
 
+use super::print::print;
 use super::translate::Translation;
 use std::fs;
-use std::io::{ErrorKind, Write};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// What the program was asked for.
@@ -80,12 +81,4 @@ fn beside(path: &Path) -> std::io::Result<PathBuf> {
     })?;
     let temporary = format!(".{}.{}", name.to_string_lossy(), std::process::id());
     Ok(path.with_file_name(temporary))
-}
-
-fn print(text: &str) -> Result<(), String> {
-    match std::io::stdout().lock().write_all(text.as_bytes()) {
-        // A reader that has seen enough (`| head`) is no error.
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error.to_string()),
-        _ => Ok(()),
-    }
 }

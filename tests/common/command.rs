@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::Path;
 use std::process::Output;
+#[cfg(unix)]
+use std::process::{Command, Stdio};
 
 /// What it printed, as it succeeded and complained of nothing.
 #[track_caller]
@@ -22,6 +24,40 @@ pub(crate) fn complains(program: &str, output: &Output, parts: &[&str]) {
     assert_eq!(said.lines().count(), 1, "{said}");
     let all = parts.iter().all(|part| said.contains(part));
     assert!(said.starts_with(&format!("{program}: ")) && all, "{parts:?}: {said}");
+}
+
+/// A program whose files may not grow beyond 8 KiB, as on a disk that fills.
+#[cfg(target_os = "linux")]
+pub(crate) fn limited(program: &Path) -> Command {
+    let mut command = Command::new("sh");
+    command.args(["-c", "trap '' XFSZ; ulimit -f 16; exec \"$0\" \"$@\""]).arg(program);
+    command
+}
+
+/// Ctrl-C, and what ends programs politely.
+#[cfg(unix)]
+pub(crate) const SIGNALS: [&str; 2] = ["-INT", "-TERM"];
+
+/// Sends the signal as soon as the program is `ready`: it ends with one line, and the exit code of signals.
+#[cfg(unix)]
+#[track_caller]
+pub(crate) fn interrupted(
+    program: &str,
+    command: &mut Command,
+    signal: &str,
+    ready: impl Fn() -> bool,
+) {
+    let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
+    let child = child.expect("the example runs");
+    while !ready() {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    let kill = Command::new("kill").args([signal, &child.id().to_string()]).status();
+    assert!(kill.expect("kill").success());
+    let output = child.wait_with_output().expect("it ends");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(130), "{said}");
+    assert!(said.starts_with(&format!("{program}: ")) && said.lines().count() == 1, "{said}");
 }
 
 /// Everything in a folder, in the order of the alphabet.

@@ -40,6 +40,13 @@ pub(crate) struct Contest {
     pub(crate) points: Vec<Entry>,
 }
 
+impl Contest {
+    /// What a model has come to.
+    pub(crate) fn of(&self, model: Model) -> Option<&Entry> {
+        self.models.iter().find(|entry| entry.model == Some(model))
+    }
+}
+
 /// One way to shade a pixel.
 #[derive(Debug, Serialize)]
 pub(crate) struct Entry {

@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 use lobe::material::glint::Patch;
 
 use super::material::Material;
+use super::truth::arrivals;
 use crate::pattern::Jitter;
 
 /// Details in the mean that a square has, of those that the surface is divided into.
@@ -70,13 +71,7 @@ impl Points {
         let [i, j] = index.map(|i| i as u64);
         let key = i.wrapping_mul(0xD6E8_FEB8_6659_FD93) ^ j.rotate_left(32).wrapping_add(self.seed);
         let mut jitter = Jitter::new(key);
-        let mut time = 0.0;
-        loop {
-            let [gap, turn] = jitter.next();
-            time -= gap.ln();
-            if time > PER_SQUARE {
-                break;
-            }
+        arrivals(PER_SQUARE, &mut jitter, |turn, jitter| {
             let (place, [tail, _]) = (jitter.next(), jitter.next());
             f(place, &|| {
                 // Box and Muller's pair, whose squares have a mean of half of alpha^2.
@@ -84,7 +79,7 @@ impl Points {
                 let (sin, cos) = (TAU * turn).sin_cos();
                 [self.spread[0] * radius * cos, self.spread[1] * radius * sin]
             });
-        }
+        });
     }
 }
 

@@ -140,9 +140,7 @@ fn every_model_is_smooth_where_details_are_many() {
 fn the_default_is_nearer_to_the_truth_than_its_parts_and_the_smooth_lobe() {
     let contests = contests(4000, Load { pixels: 2, rounds: 1 }).unwrap();
     for contest in &contests {
-        let of = |model: Model| {
-            contest.models.iter().find(|entry| entry.model == Some(model)).unwrap().distance
-        };
+        let of = |model: Model| contest.of(model).unwrap().distance;
         let one = of(Model::Default);
         assert!(of(Model::Smooth) > 3.0 * one && of(Model::Smooth) > 3.0 * of(Model::Four));
         // All points are the truth; a part of them is not.

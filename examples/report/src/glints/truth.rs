@@ -121,7 +121,7 @@ impl Truth {
 }
 
 /// Calls `f` for every event of a Poisson process, with a random number of its own.
-fn arrivals(mean: f64, jitter: &mut Jitter, mut f: impl FnMut(f64, &mut Jitter)) {
+pub(super) fn arrivals(mean: f64, jitter: &mut Jitter, mut f: impl FnMut(f64, &mut Jitter)) {
     let mut time = 0.0;
     loop {
         let [gap, chance] = jitter.next();

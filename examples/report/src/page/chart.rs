@@ -46,6 +46,18 @@ pub(super) struct Range {
     pub(super) unit: &'static str,
 }
 
+impl Range {
+    /// Of plain numbers.
+    pub(super) const fn new(title: &'static str, scale: Scale, ends: [f64; 2]) -> Self {
+        Self { title, scale, ends, unit: "" }
+    }
+
+    /// With this after the numbers.
+    pub(super) const fn with_unit(self, unit: &'static str) -> Self {
+        Self { unit, ..self }
+    }
+}
+
 /// Lines within a frame; what leaves it is cut off.
 pub(super) struct Chart {
     /// What a reader hears who does not see it.
@@ -241,7 +253,7 @@ mod tests {
     use crate::page::axis::Scale;
 
     fn chart(lines: &[(&str, f64)]) -> Chart {
-        let range = |ends| Range { title: "t", scale: Scale::Logarithmic, ends, unit: "" };
+        let range = |ends| Range::new("t", Scale::Logarithmic, ends);
         let line = |&(name, y): &(&str, f64)| Line {
             name: name.into(),
             class: "c".into(),
@@ -284,7 +296,7 @@ mod tests {
 
     #[test]
     fn ticks_are_plain_numbers() {
-        let range = Range { title: "t", scale: Scale::Linear, ends: [-1.0, 1.0], unit: " %" };
+        let range = Range::new("t", Scale::Linear, [-1.0, 1.0]).with_unit(" %");
         let labels = [3.0 * 0.2, 0.0, 40.0, -20.0].map(|tick| label(tick, &range));
         assert_eq!(labels, ["0.6 %", "0 %", "40 %", "\u{2212}20 %"]);
     }

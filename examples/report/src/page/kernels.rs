@@ -145,12 +145,11 @@ fn figure(kernels: &Kernels, measure: &Measure, truth: Truth) -> String {
         },
         &Chart {
             title: format!("{} over kappa, {pixel} pixel", measure.title),
-            x: Range {
-                title: "\u{3ba} = 2\u{3c3}\u{b2}/\u{3b1}\u{b2}",
-                scale: Scale::Logarithmic,
-                ends: [0.01, 100.0],
-                unit: "",
-            },
+            x: Range::new(
+                "\u{3ba} = 2\u{3c3}\u{b2}/\u{3b1}\u{b2}",
+                Scale::Logarithmic,
+                [0.01, 100.0],
+            ),
             y: measure.axis,
             right: measure.right,
             lines: lines.collect(),

@@ -34,12 +34,8 @@ pub(super) const PEAK: Measure = Measure {
     value: |m| m.peak_error,
     distance: f64::abs,
     show: signed_percent,
-    axis: Range {
-        title: "filter / truth \u{2212} 1 at the centre",
-        scale: Scale::Linear,
-        ends: [-75.0, 50.0],
-        unit: " %",
-    },
+    axis: Range::new("filter / truth \u{2212} 1 at the centre", Scale::Linear, [-75.0, 50.0])
+        .with_unit(" %"),
     factor: 100.0,
     right: Some(0.0),
 };
@@ -51,12 +47,7 @@ pub(super) const L1: Measure = Measure {
     value: |m| m.l1_error.unwrap_or(f64::NAN),
     distance: f64::abs,
     show: significant,
-    axis: Range {
-        title: "integral of |filter \u{2212} truth|",
-        scale: Scale::Logarithmic,
-        ends: [1e-3, 2.0],
-        unit: "",
-    },
+    axis: Range::new("integral of |filter \u{2212} truth|", Scale::Logarithmic, [1e-3, 2.0]),
     factor: 1.0,
     right: None,
 };
@@ -67,12 +58,8 @@ pub(super) const LARGEST: Measure = Measure {
     value: |m| m.largest_error,
     distance: f64::abs,
     show: percent,
-    axis: Range {
-        title: "largest |filter / truth \u{2212} 1|",
-        scale: Scale::Logarithmic,
-        ends: [0.1, 3e4],
-        unit: " %",
-    },
+    axis: Range::new("largest |filter / truth \u{2212} 1|", Scale::Logarithmic, [0.1, 3e4])
+        .with_unit(" %"),
     factor: 100.0,
     right: None,
 };
@@ -83,12 +70,7 @@ pub(super) const TAIL: Measure = Measure {
     value: |m| m.tail_ratio,
     distance: |ratio| ratio.ln().abs(),
     show: |ratio| format!("{}\u{d7}", significant(ratio)),
-    axis: Range {
-        title: "filter / truth in the tail",
-        scale: Scale::Logarithmic,
-        ends: [0.1, 100.0],
-        unit: "",
-    },
+    axis: Range::new("filter / truth in the tail", Scale::Logarithmic, [0.1, 100.0]),
     factor: 1.0,
     right: Some(1.0),
 };

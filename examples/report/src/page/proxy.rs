@@ -28,27 +28,21 @@ const FORMS: [Form; 3] = [
     },
 ];
 
-const WIDTH: Range =
-    Range { title: "w/\u{3b1}", scale: Scale::Logarithmic, ends: [0.01, 10.0], unit: "" };
+const WIDTH: Range = Range::new("w/\u{3b1}", Scale::Logarithmic, [0.01, 10.0]);
 
 /// Figures and finding.
 pub(super) fn html(proxies: &[Proxy]) -> String {
     let alphas = Chart {
         title: "alpha' over alpha by the width of the square".into(),
         x: WIDTH,
-        y: Range {
-            title: "\u{3b1}\u{2032}/\u{3b1}",
-            scale: Scale::Logarithmic,
-            ends: [0.9, 12.0],
-            unit: "",
-        },
+        y: Range::new("\u{3b1}\u{2032}/\u{3b1}", Scale::Logarithmic, [0.9, 12.0]),
         right: None,
         lines: lines(proxies, |form, proxy| (form.alpha)(proxy)),
     };
     let peaks = Chart {
         title: "peak over the exact peak by the width of the square".into(),
         x: WIDTH,
-        y: Range { title: "peak / exact peak", scale: Scale::Linear, ends: [0.25, 1.15], unit: "" },
+        y: Range::new("peak / exact peak", Scale::Linear, [0.25, 1.15]),
         right: Some(1.0),
         lines: lines(proxies, |form, proxy| proxy.peak_ratios[form.place]),
     };

@@ -125,13 +125,8 @@ fn chart(
     let scale = if high > LONG * low { Scale::Logarithmic } else { Scale::Linear };
     Chart {
         title: format!("{title} over frames, {}", sequence.name),
-        x: Range {
-            title: "frame",
-            scale: Scale::Linear,
-            ends: [1.0, (sequence.frames as f64).max(2.0)],
-            unit: "",
-        },
-        y: Range { title, scale, ends: [low, high], unit: "" },
+        x: Range::new("frame", Scale::Linear, [1.0, (sequence.frames as f64).max(2.0)]),
+        y: Range::new(title, scale, [low, high]),
         right,
         lines,
     }

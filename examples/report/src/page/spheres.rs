@@ -143,13 +143,12 @@ fn chart(relief: &Relief, sphere: &Sphere) -> Chart {
     });
     Chart {
         title: format!("error over time, sigma {}", name(sphere)),
-        x: Range { title: "\u{b5}s per pixel", scale: Scale::Logarithmic, ends: x, unit: "" },
-        y: Range {
-            title: "RMSE, % of the mean",
-            scale: Scale::Logarithmic,
-            ends: ends(&errors, [normal_map, least]),
-            unit: "",
-        },
+        x: Range::new("\u{b5}s per pixel", Scale::Logarithmic, x),
+        y: Range::new(
+            "RMSE, % of the mean",
+            Scale::Logarithmic,
+            ends(&errors, [normal_map, least]),
+        ),
         right: Some(least),
         lines,
     }

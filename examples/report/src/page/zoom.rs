@@ -77,15 +77,11 @@ fn curve(zoom: &Zoom, name: &str, class: &str, values: &[f64]) -> Curved {
 fn chart(map: &Minified, title: &'static str, right: Option<f64>, lines: Vec<Curved>) -> Chart {
     let ends = around(&lines, right, 1.15);
     let ratios = &map.zoom.ratios;
+    let widest = [ratios[0], ratios[ratios.len() - 1].max(1.01 * ratios[0])];
     Chart {
         title: format!("{title} over texels per pixel, {}", map.name),
-        x: Range {
-            title: "texels per pixel",
-            scale: Scale::Binary,
-            ends: [ratios[0], ratios[ratios.len() - 1].max(1.01 * ratios[0])],
-            unit: "",
-        },
-        y: Range { title, scale: Scale::Logarithmic, ends, unit: "" },
+        x: Range::new("texels per pixel", Scale::Binary, widest),
+        y: Range::new(title, Scale::Logarithmic, ends),
         right,
         lines,
     }

@@ -29,12 +29,7 @@ pub(super) fn cells(glints: &Glitter) -> String {
     let over = |value: &dyn Fn(&crate::glints::Visited) -> f64| -> Vec<[f64; 2]> {
         glints.visited.iter().map(|v| [v.aspect, value(v)]).collect()
     };
-    let aspect = Range {
-        title: "length of the pixel over its width",
-        scale: Scale::Binary,
-        ends: [1.0, 64.0],
-        unit: "",
-    };
+    let aspect = Range::new("length of the pixel over its width", Scale::Binary, [1.0, 64.0]);
     let percent = |k: usize| over(&|v| 100.0 * v.lost[k]);
     plots(&[
         (
@@ -42,7 +37,7 @@ pub(super) fn cells(glints: &Glitter) -> String {
             Chart {
                 title: "cells per pixel over its aspect".into(),
                 x: aspect,
-                y: Range { title: "cells", scale: Scale::Linear, ends: [0.0, 110.0], unit: "" },
+                y: Range::new("cells", Scale::Linear, [0.0, 110.0]),
                 right: Some(104.0),
                 lines: vec![
                     line("default, most", "added second", over(&|v| v.default[1])),
@@ -58,7 +53,7 @@ pub(super) fn cells(glints: &Glitter) -> String {
                 title: "share of the pixel that the published loops leave out over its aspect"
                     .into(),
                 x: aspect,
-                y: Range { title: "left out", scale: Scale::Linear, ends: [0.0, 40.0], unit: " %" },
+                y: Range::new("left out", Scale::Linear, [0.0, 40.0]).with_unit(" %"),
                 right: None,
                 lines: vec![
                     line("most", "published second", percent(1)),
@@ -99,18 +94,8 @@ pub(super) fn times(glints: &Glitter) -> String {
             "Over the cells".into(),
             Chart {
                 title: "time per pixel over its cells".into(),
-                x: Range {
-                    title: "cells in the mean",
-                    scale: Scale::Linear,
-                    ends: [0.0, 64.0],
-                    unit: "",
-                },
-                y: Range {
-                    title: "\u{b5}s per pixel",
-                    scale: Scale::Linear,
-                    ends: [0.0, 1.1 * most],
-                    unit: "",
-                },
+                x: Range::new("cells in the mean", Scale::Linear, [0.0, 64.0]),
+                y: Range::new("\u{b5}s per pixel", Scale::Linear, [0.0, 1.1 * most]),
                 right: None,
                 lines: by_cells,
             },
@@ -119,18 +104,8 @@ pub(super) fn times(glints: &Glitter) -> String {
             "Over the details".into(),
             Chart {
                 title: "time per pixel over the details in it".into(),
-                x: Range {
-                    title: "details in a pixel, power of ten",
-                    scale: Scale::Linear,
-                    ends: [0.0, 10.0],
-                    unit: "",
-                },
-                y: Range {
-                    title: "\u{b5}s per pixel",
-                    scale: Scale::Logarithmic,
-                    ends: [0.2, 2000.0],
-                    unit: "",
-                },
+                x: Range::new("details in a pixel, power of ten", Scale::Linear, [0.0, 10.0]),
+                y: Range::new("\u{b5}s per pixel", Scale::Logarithmic, [0.2, 2000.0]),
                 right: None,
                 lines: by_details,
             },
@@ -158,18 +133,8 @@ pub(super) fn ripple(glints: &Glitter) -> String {
         "Over the pixel\u{2019}s width".into(),
         Chart {
             title: "variance over that of real details, over the pixel's width".into(),
-            x: Range {
-                title: "width of the pixel over a size of cells",
-                scale: Scale::Linear,
-                ends: [1.0, 2.0],
-                unit: "",
-            },
-            y: Range {
-                title: "variance / that of real details",
-                scale: Scale::Logarithmic,
-                ends: [0.2, 2.5],
-                unit: "",
-            },
+            x: Range::new("width of the pixel over a size of cells", Scale::Linear, [1.0, 2.0]),
+            y: Range::new("variance / that of real details", Scale::Logarithmic, [0.2, 2.5]),
             right: Some(1.0),
             lines,
         },
@@ -206,13 +171,8 @@ fn against_time(contest: &Contest) -> Chart {
     let heights = around(&lines, Some(contest.noise), 1.4);
     Chart {
         title: format!("distance from real details over time, {} details", contest.details),
-        x: Range { title: "\u{b5}s per pixel", scale: Scale::Logarithmic, ends, unit: "" },
-        y: Range {
-            title: "distance of distributions, means",
-            scale: Scale::Logarithmic,
-            ends: heights,
-            unit: "",
-        },
+        x: Range::new("\u{b5}s per pixel", Scale::Logarithmic, ends),
+        y: Range::new("distance of distributions, means", Scale::Logarithmic, heights),
         right: Some(contest.noise),
         lines,
     }

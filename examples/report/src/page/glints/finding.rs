@@ -180,7 +180,7 @@ pub(super) fn variances(glints: &Glitter) -> String {
 /// What is near the truth, and what it costs.
 pub(super) fn contests(glints: &Glitter) -> String {
     let entry = |contest: &Contest, model: Model| -> String {
-        let entry = contest.models.iter().find(|entry| entry.model == Some(model));
+        let entry = contest.of(model);
         let told = |entry: &Entry| {
             let hidden = if entry.distance < contest.noise { "at most " } else { "" };
             format!("{hidden}{}", significant(entry.distance.max(contest.noise)))
@@ -195,7 +195,7 @@ pub(super) fn contests(glints: &Glitter) -> String {
         contests.map(|contest| entry(contest, model)).collect::<Vec<_>>().join(" and ")
     };
     let prices = glints.contests.iter().filter_map(|contest| {
-        let default = contest.models.iter().find(|entry| entry.model == Some(Model::Default))?;
+        let default = contest.of(Model::Default)?;
         Some(contest.points.last()?.time / default.time)
     });
     format!(
@@ -220,7 +220,7 @@ fn samples(glints: &Glitter) -> &'static str {
     let nearer = |long: bool| {
         let contests = glints.contests.iter().filter(move |c| (c.aspect > 1.0) == long);
         let distance = |contest: &Contest, model: Model| {
-            let entry = contest.models.iter().find(|entry| entry.model == Some(model));
+            let entry = contest.of(model);
             entry.map_or(f64::NAN, |entry| entry.distance)
         };
         let nearer = contests.map(|c| distance(c, Model::Four) < distance(c, Model::Default));

@@ -125,13 +125,8 @@ fn chart(map: &Minified, distribution: Distribution) -> Chart {
     let ends = around(&lines, None, 1.2);
     Chart {
         title: format!("RMSE over texels per pixel, {}, {}", map.name, distribution.name()),
-        x: Range {
-            title: "texels per pixel",
-            scale: Scale::Binary,
-            ends: [RATIOS[0], RATIOS[RATIOS.len() - 1]],
-            unit: "",
-        },
-        y: Range { title: "RMSE, mean radiance = 1", scale: Scale::Logarithmic, ends, unit: "" },
+        x: Range::new("texels per pixel", Scale::Binary, [RATIOS[0], RATIOS[RATIOS.len() - 1]]),
+        y: Range::new("RMSE, mean radiance = 1", Scale::Logarithmic, ends),
         right: None,
         lines,
     }

@@ -1,0 +1,18 @@
+//! What a program prints, and what it ends with.
+
+use std::io::{ErrorKind, Write};
+use std::process::ExitCode;
+
+/// Prints a text. A reader that has seen enough (`| head`) is no error.
+pub(crate) fn print(text: &str) -> Result<(), String> {
+    match std::io::stdout().lock().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error.to_string()),
+        _ => Ok(()),
+    }
+}
+
+/// Says why it failed, in one line after the program's name; the exit code, that of a signal if one stopped it.
+pub(crate) fn failed(program: &str, message: &str, stopped: bool) -> ExitCode {
+    eprintln!("{program}: {}", message.trim_end());
+    ExitCode::from(if stopped { 130 } else { 2 })
+}
