@@ -26,6 +26,11 @@ use crate::scalar::Real;
 /// spread of slopes is smaller along one axis, details are longer along it, in the proportion of the two: a groove,
 /// without end, where there is none at all.
 ///
+/// The paper's user parameters (section 4.5): both roughnesses are [`Biscale::from_fractions`], the density is `density`
+/// (sliders want its logarithm), the scale variation [`Glints::with_variation`], the overall intensity a Fresnel term
+/// ([`GlintMaterial`](crate::shade::GlintMaterial)), the palette an argument of
+/// [`coloured_sparkle`](super::GlintLobe::coloured_sparkle).
+///
 /// Source: Zirr & Kaplanyan 2016. What is printed and was published of it, mistakes included, is
 /// [`Published`](super::Published); this one conserves the mean: over cells and angular bins $P_{22}$ averages to that
 /// of the smooth lobe, for any number, size, light and pixel.
