@@ -143,7 +143,7 @@ cargo clippy --workspace --all-targets -- -D warnings
 
 step "Features: combinations that build without warnings"
 for features in std libm std,libm std,probe std,glam libm,glam std,libm,glam std,published std,wgsl \
-    std,lean std,leadr libm,lean libm,leadr libm,wgsl libm,published,wgsl libm,lean,leadr,published,wgsl; do
+    std,lean std,leadr std,glint libm,glint,wgsl libm,lean libm,leadr libm,wgsl libm,published,wgsl libm,lean,leadr,published,wgsl; do
     echo "   $features"
     cargo clippy --quiet --package lobe --no-default-features --features "$features" -- -D warnings
 done

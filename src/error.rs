@@ -84,6 +84,18 @@ pub enum Error {
     Variation,
     /// `share` is outside `[0, 1]` or NaN.
     Share,
+    /// The number of facets per unit area is outside `[1e-18, 1e30]` or NaN.
+    Facets,
+    /// A size or the lobes' width of a recipe for a dictionary is out of range.
+    Recipe,
+    /// Bytes are not a dictionary's.
+    DictionaryMagic,
+    /// Bytes are a dictionary's, of another version of the layout.
+    DictionaryVersion,
+    /// Bytes of a dictionary are fewer or more than its header says.
+    DictionaryLength,
+    /// Bytes of a dictionary are damaged.
+    DictionaryChecksum,
 }
 
 impl fmt::Display for Error {
@@ -124,6 +136,15 @@ impl fmt::Display for Error {
             Self::Density => "density of details must lie in [1e-18, 1e18]",
             Self::Variation => "variation must lie in [0, 4]",
             Self::Share => "share must lie in [0, 1]",
+            Self::Facets => "density of facets must lie in [1e-18, 1e30]",
+            Self::Recipe => {
+                "a recipe needs 1 to 65536 marginals, 1 to 20 levels, intervals of a power of two from 8 to 4096, \
+                 and a width from 2/intervals to 0.5"
+            }
+            Self::DictionaryMagic => "not the bytes of a dictionary",
+            Self::DictionaryVersion => "bytes of a dictionary have another version than 1",
+            Self::DictionaryLength => "bytes of a dictionary must be as many as its header says",
+            Self::DictionaryChecksum => "bytes of a dictionary are damaged: their checksum differs",
         })
     }
 }

@@ -45,6 +45,8 @@
 //!   shades displaced surfaces under lights and environments.
 //! - [`material::glint`] has discrete details: snow, glitter, brushed metal, one evaluation a pixel, the mean of which is
 //!   the smooth lobe.
+//! - [`material::multilobe`] has the same from a dictionary of many-lobed densities, each of which integrates to 1:
+//!   masked exactly, sampled, filtered over curvature, laid over normal maps.
 //! - [`shade`] puts it together for a renderer that wants one call per light.
 //! - [`mod@wgsl`] has all of it for shaders, and gives out what one needs.
 //!
@@ -67,6 +69,7 @@
 //! | $\Lambda$, `lambda` | $\sigma/c - 1$ (Smith) | 1 |
 //! | `u`, `v` | derivatives of the slope, a footprint's sides | slope / pixel |
 //! | `uv`, `right`, `up` | texture coordinates of a pixel, and their change to the next ones | texture; texture / pixel |
+//! | $M$ | Chermain's matrix: slopes from those of a dictionary | slope |
 //! | $A_g = A_m + A_l$ | roughness from afar, spread of details, one detail (glints) | slope squared |
 //!
 //! Angles are radians, counter-clockwise. Matrices are rows first. Directions and slopes enter as `impl
@@ -98,19 +101,19 @@
 //! | `published` (default) | what papers and engines have, to compare: `filter::preset`, `filter::kaplanyan_*` |
 //! | `lean` (default) | normal and displacement maps as moments, [`material::lean`]; needs an allocator |
 //! | `leadr` (default) | displaced surfaces under lights and environments, [`material::leadr`] |
-//! | `glint` (default) | discrete details on nested grids, [`material::glint`] |
+//! | `glint` (default) | discrete details on nested grids, [`material::glint`], [`material::multilobe`]; needs an allocator |
 //! | `wgsl` (default) | the same functions in WGSL, as text: [`mod@wgsl`]; needs an allocator |
 //! | `probe` | precisions that measure (operations, contraction, rounding): for reports and checks, not for shading |
 //! | `glam` | `From` and `TryFrom` between [`Psd`] and `glam::Mat2`, `glam::DMat2` |
 //!
 //! # What it is not
 //!
-//! No sampling, no multiple scattering, no colour spaces, no file formats, and no filter chosen for you: which
+//! No sampling of smooth lobes, no multiple scattering, no colour spaces, no file formats, and no filter chosen for you: which
 //! one a scene wants depends on what it may cost, and the report (`cargo run --release -p lobe-report`) says
 //! what each costs and how wrong it is.
 #![forbid(unsafe_code)]
 #![no_std]
-#[cfg(any(feature = "wgsl", feature = "lean"))]
+#[cfg(any(feature = "wgsl", feature = "lean", feature = "glint"))]
 extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;

@@ -15,7 +15,11 @@ use core::marker::PhantomData;
 #[cfg(feature = "glint")]
 mod glints;
 #[cfg(feature = "glint")]
+mod multilobe;
+#[cfg(feature = "glint")]
 pub use glints::{GlintMaterial, GlintShading};
+#[cfg(feature = "glint")]
+pub use multilobe::{MultiLobeMaterial, MultiLobeShading};
 
 /// A lobe with a distribution and a Fresnel term.
 ///
@@ -122,22 +126,16 @@ impl<D: Distribution, R: Real> Shading<D, R> {
     #[inline]
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
-        colour(&self.fresnel, self.ndf.shape(), self.ndf.brdf(wo, wi), wo, wi)
+        colour(&self.fresnel, self.ndf.brdf(wo, wi), self.ndf.shape().mean_area(wi), wo, wi)
     }
 }
 
-/// `brdf` times cosine and Fresnel.
+/// `brdf` times Fresnel and `area`, the mean plane's that the light sees; 0 where it sees none.
 #[inline]
-fn colour<S: Shape>(
-    fresnel: &Fresnel<S::Scalar>,
-    shape: &S,
-    brdf: S::Scalar,
-    wo: [S::Scalar; 3],
-    wi: [S::Scalar; 3],
-) -> [S::Scalar; 3] {
-    let area = shape.mean_area(wi).max(S::Scalar::ZERO);
+fn colour<R: Real>(fresnel: &Fresnel<R>, brdf: R, area: R, wo: [R; 3], wi: [R; 3]) -> [R; 3] {
+    let area = area.max(R::ZERO);
     let reflectance = fresnel.reflectance(dot(wo, half_vector(wo, wi)));
-    reflectance.map(|f| (f * brdf * area).min(S::Scalar::MAX))
+    reflectance.map(|f| (f * brdf * area).min(R::MAX))
 }
 
 impl<R: Real> Shading<GgxDistribution, R> {
@@ -164,7 +162,8 @@ impl<R: Real> Shading<GgxDistribution, R> {
         footprint: &Footprint<R>,
     ) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
-        colour(&self.fresnel, self.ndf.shape(), self.ndf.brdf_over(wo, wi, footprint), wo, wi)
+        let brdf = self.ndf.brdf_over(wo, wi, footprint);
+        colour(&self.fresnel, brdf, self.ndf.shape().mean_area(wi), wo, wi)
     }
 }
 

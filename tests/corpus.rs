@@ -33,6 +33,11 @@ fn single_precision_agrees_with_double() {
 }
 
 #[test]
+fn facets_are_numbers() {
+    replay("facets", fuzz_laws::facets);
+}
+
+#[test]
 fn glints_are_numbers() {
     replay("glints", fuzz_laws::glints);
 }

@@ -19,6 +19,7 @@ fn every_erratum_is_listed_with_its_test() {
         ("errata.rs", include_str!("errata.rs")),
         ("errata_leadr.rs", include_str!("errata_leadr.rs")),
         ("errata_glints.rs", include_str!("errata_glints.rs")),
+        ("errata_multilobe.rs", include_str!("errata_multilobe.rs")),
     ];
     for (file, text) in files {
         let tests: Vec<&str> =

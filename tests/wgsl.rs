@@ -27,7 +27,9 @@ fn declarations(module: &naga::Module) -> Vec<(&str, Span)> {
     let functions = module.functions.iter().map(|(h, f)| (&f.name, module.functions.get_span(h)));
     let constants = module.constants.iter().map(|(h, c)| (&c.name, module.constants.get_span(h)));
     let types = module.types.iter().map(|(h, t)| (&t.name, module.types.get_span(h)));
-    let all = functions.chain(constants).chain(types);
+    let globals = &module.global_variables;
+    let buffers = globals.iter().map(|(h, g)| (&g.name, globals.get_span(h)));
+    let all = functions.chain(constants).chain(types).chain(buffers);
     all.filter_map(|(name, span)| Some((name.as_deref()?, span))).collect()
 }
 
@@ -140,4 +142,5 @@ fn gated(name: &str, feature: &'static str, is_on: bool) {
 fn items_behind_a_feature_name_it() {
     gated("engine_alpha", "published", cfg!(feature = "published"));
     gated("glint_lobe_sparkle", "glint", cfg!(feature = "glint"));
+    gated("marginal_mean", "glint", cfg!(feature = "glint"));
 }

@@ -1,9 +1,10 @@
-//! What glints cost: by the pixel's aspect, by the number of details, and what more choices cost.
+//! What glints cost: by the pixel's aspect, by the number of details, and what more choices cost; many lobes.
 
 use super::cases::{Case, case};
 use super::samples::{Regime, samples};
-use lobe::Beckmann;
 use lobe::material::glint::{Biscale, Glints, Patch, Published, light_blur};
+use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
+use lobe::{Beckmann, Footprint, Kernel, PixelFilter, Roughness};
 
 pub(crate) const GROUP: &str = "glints";
 
@@ -35,7 +36,7 @@ pub(crate) fn cases() -> Vec<Case> {
     let steep = pixels(1.0);
     let smooth = Beckmann::new(with(1.0).lobe(&Patch::default()).lobe().shape());
     let published = Published::new(biscale, 1e9).expect("in range");
-    vec![
+    let mut cases = vec![
         case(GROUP, "smooth_lobe", steep.clone(), move |&(_, wo, wi)| smooth.brdf(wo, wi)),
         shaded("steep", steep.clone(), with(1e9)),
         // 10 degrees above the surface, and the longest pixel that is followed.
@@ -50,5 +51,34 @@ pub(crate) fn cases() -> Vec<Case> {
             published.d(&patch, h, cosine, 0.005) * smooth.visibility(wo, wi)
         }),
         case(GROUP, "light_blur", steep, |&(_, wo, wi)| light_blur(wo, wi, 0.005)),
+    ];
+    cases.extend(many_lobes());
+    cases
+}
+
+/// The same of surfaces of facets, with and without a filter.
+fn many_lobes() -> Vec<Case> {
+    let dictionary: &'static _ =
+        Box::leak(Box::new(Dictionary::<f32>::new(&Recipe::default()).expect("in range")));
+    let roughness = Roughness::from_alpha(0.3).expect("in range");
+    let with = move |density: f32| MultiLobe::new(roughness, density).expect("in range");
+    let footprint = Footprint::from_slopes([0.02, 0.01], [-0.01, 0.02]);
+    let kernel = Kernel::of(&footprint, PixelFilter::BOX);
+    let shaded = |name: &'static str, aspect: f32, density: f32| {
+        let facets = with(density);
+        case(GROUP, name, pixels(aspect), move |&(patch, wo, wi)| {
+            facets.lobe(dictionary, &patch).brdf(wo, wi)
+        })
+    };
+    vec![
+        shaded("many_lobes", 1.0, 1e9),
+        shaded("many_lobes_longest", 8.0, 1e9),
+        shaded("many_lobes_smooth", 1.0, 1e21),
+        case(GROUP, "many_lobes_box", pixels(1.0), move |&(patch, wo, wi)| {
+            with(1e9).lobe(dictionary, &patch).widened(&kernel).brdf(wo, wi)
+        }),
+        case(GROUP, "many_lobes_mips", pixels(1.0), move |&(patch, wo, wi)| {
+            with(1e9).lobe(dictionary, &patch).with_mips(&footprint, 0.5).brdf(wo, wi)
+        }),
     ]
 }

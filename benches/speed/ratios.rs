@@ -37,8 +37,8 @@ const MAPS: [(&str, &str); 7] = [
     ("facets_five_by_five", "raw_moments_shaded"),
 ];
 
-/// Glints by the pixel's aspect, by the number of details, and by mode.
-const GLINTS: [(&str, &str); 8] = [
+/// Glints by the pixel's aspect, by the number of details, and by mode; many lobes by aspect, number and filter.
+const GLINTS: [(&str, &str); 13] = [
     ("steep", "smooth_lobe"),
     ("grazing", "steep"),
     ("longest", "steep"),
@@ -47,6 +47,11 @@ const GLINTS: [(&str, &str); 8] = [
     ("varied", "steep"),
     ("published", "steep"),
     ("light_blur", "smooth_lobe"),
+    ("many_lobes", "smooth_lobe"),
+    ("many_lobes_longest", "many_lobes"),
+    ("many_lobes_smooth", "smooth_lobe"),
+    ("many_lobes_box", "many_lobes"),
+    ("many_lobes_mips", "many_lobes"),
 ];
 
 /// Rounds of a comparison, and passes over all samples in each turn of a round.

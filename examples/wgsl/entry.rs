@@ -44,7 +44,10 @@ pub(crate) fn declared(item: Item) -> Vec<String> {
 /// What a text declares.
 pub(crate) fn names(text: &str) -> impl Iterator<Item = &str> {
     let lines = text.lines().filter_map(|line| {
-        ["fn ", "const ", "struct "].iter().find_map(|word| line.strip_prefix(word))
+        // A buffer has attributes before it.
+        let line = line.find("var<").map_or(line, |at| &line[at..]);
+        let kinds = ["fn ", "const ", "struct ", "var<storage, read> "];
+        kinds.iter().find_map(|kind| line.strip_prefix(kind))
     });
     lines.filter_map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next())
 }

@@ -89,9 +89,11 @@ fn write_glsl(
     let options = glsl::Options {
         version,
         writer_flags: glsl::WriterFlags::empty(),
-        // GLSL for Vulkan must say where its buffers are.
-        binding_map: (0..2_u8)
-            .map(|slot| (ResourceBinding { group: 0, binding: slot.into() }, slot))
+        // GLSL for Vulkan must say where its buffers are: the entry point's two, and a dictionary's.
+        binding_map: [(0, 0), (0, 1), (1, 0)]
+            .into_iter()
+            .zip(0..)
+            .map(|((group, binding), slot)| (ResourceBinding { group, binding }, slot))
             .collect(),
         ..glsl::Options::default()
     };

@@ -7,5 +7,7 @@ pub mod glint;
 pub mod leadr;
 #[cfg(feature = "lean")]
 pub mod lean;
+#[cfg(feature = "glint")]
+pub mod multilobe;
 
 pub use fresnel::Fresnel;

@@ -1,11 +1,13 @@
 //! Distributions of normals: density, masking and shadowing for every roughness and mean.
 
 mod beckmann;
+mod cavity;
 mod distribution;
 mod ggx;
 mod masking;
 
 pub use beckmann::BeckmannDistribution;
+pub use cavity::{cavity_masking, cavity_masking_shadowing};
 pub use distribution::{Distribution, Ndf};
 pub use ggx::GgxDistribution;
 

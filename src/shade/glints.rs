@@ -7,8 +7,8 @@ use crate::filter::Kernel;
 use crate::material::Fresnel;
 use crate::material::glint::{GlintLobe, Glints, Patch, light_blur};
 use crate::scalar::Real;
-use crate::slope::SlopeMoments;
 use crate::slope::direction::half_vector;
+use crate::slope::{Shape, SlopeMoments};
 
 /// Glints with a Fresnel term.
 ///
@@ -75,7 +75,7 @@ impl<R: Real> GlintShading<R> {
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>, radius: R) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
         let brdf = self.lobe.brdf(wo, wi, radius);
-        colour(&self.fresnel, self.lobe.ndf().shape(), brdf, wo, wi)
+        colour(&self.fresnel, brdf, self.lobe.ndf().shape().mean_area(wi), wo, wi)
     }
 
     /// The same with a colour for each cell: [`GlintLobe::coloured_sparkle`].
@@ -104,7 +104,7 @@ impl<R: Real> GlintShading<R> {
     ) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
         let ndf = self.lobe.ndf();
-        let smooth = colour(&self.fresnel, ndf.shape(), ndf.brdf(wo, wi), wo, wi);
+        let smooth = colour(&self.fresnel, ndf.brdf(wo, wi), ndf.shape().mean_area(wi), wo, wi);
         if !(smooth.iter().any(|x| *x > R::ZERO)) {
             return smooth;
         }

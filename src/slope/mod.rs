@@ -5,6 +5,7 @@ mod footprint;
 pub mod jacobian;
 mod layers;
 mod lobe;
+mod mean_frame;
 mod moments;
 mod motion;
 mod path;
@@ -15,6 +16,7 @@ mod tilted;
 
 pub use footprint::Footprint;
 pub use lobe::Lobe;
+pub use mean_frame::MeanFrame;
 pub use moments::SlopeMoments;
 pub use motion::Motion;
 pub use path::{Path, Vertex};

@@ -2,7 +2,7 @@
 //!
 //! Floor 0, feature `wgsl`; needs an allocator, no other crate. Every function of this crate that a shader can use has
 //! a twin: `src/X.rs` and `src/wgsl/X.wgsl`, function by function, named `lobe_` and the Rust name. The texts have no
-//! bindings, no entry points and no directives, so they go into any shader, after its directives; [`source`] returns the functions asked for
+//! entry points, no directives and, but for a dictionary's buffer (`rebound`), no bindings, so they go into any shader, after its directives; [`source`] returns the functions asked for
 //! with all that they call, and [`Module`] the files for linkers.
 //!
 //! ```
@@ -30,12 +30,16 @@
 //!   (A compiler that is told to assume numbers may drop that promise: HLSL without strict IEEE and Metal with fast math, for two.)
 //! - **Matrices** have their columns first, as WGSL has it; `matrix * vector` means the same.
 //! - **Pixel filters** are passed as their variance: `LOBE_PIXEL_FILTER_BOX` and the like.
+//! - **A dictionary** of marginals is a buffer, `lobe_dictionary`, filled with `Dictionary::nodes`; values of
+//!   `LobeDictionary` are its sizes.
 //! - **Closures** are not passed: cells of a grid are a loop, and coloured glints have the hue wheel.
 //! - `lobe_fragment_*` take derivatives from the quad, for fragment shaders; CPUs have no quads.
 //!
 //! Equal to Rust in f32 to the bit where no operation is fused or reordered, and quotients and roots are rounded
 //! correctly; within a few roundings where compilers and drivers do otherwise (`tests/gpu`, which runs every twin).
 
+#[cfg(feature = "glint")]
+mod binding;
 mod error;
 mod item;
 mod list;
@@ -44,6 +48,8 @@ mod preset;
 mod table;
 mod text;
 
+#[cfg(feature = "glint")]
+pub use binding::rebound;
 pub use error::Error;
 pub use item::Item;
 pub use module::Module;

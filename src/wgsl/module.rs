@@ -66,8 +66,10 @@ modules! {
     "slope/lobe",
     "slope/moments",
     "slope/layers",
+    "slope/mean_frame",
     "ndf/distribution",
     "ndf/masking",
+    "ndf/cavity",
     "ndf/ggx",
     "ndf/beckmann",
     "filter/kernel",
@@ -114,9 +116,23 @@ modules! {
     "material/glint/lobe",
     #[cfg(feature = "glint")]
     "material/glint/glints",
+    #[cfg(feature = "glint")]
+    "material/multilobe/dictionary",
+    #[cfg(feature = "glint")]
+    "material/multilobe/marginal",
+    #[cfg(feature = "glint")]
+    "material/multilobe/ellipse",
+    #[cfg(feature = "glint")]
+    "material/multilobe/plane",
+    #[cfg(feature = "glint")]
+    "material/multilobe/lobe",
+    #[cfg(feature = "glint")]
+    "material/multilobe/material",
     "shade",
     #[cfg(feature = "glint")]
     "shade/glints",
+    #[cfg(feature = "glint")]
+    "shade/multilobe",
     "fragment",
     #[cfg(feature = "glint")]
     "fragment/glints",

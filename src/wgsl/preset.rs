@@ -45,11 +45,14 @@ pub enum Preset {
     /// Forward glints, in the quad's patch and widened by its kernel.
     #[cfg(feature = "glint")]
     Glints,
+    /// Forward shading of a surface of facets, in the quad's patch and under its kernel on the projected disk.
+    #[cfg(feature = "glint")]
+    ManyLobes,
 }
 
 impl Preset {
     /// Every preset, without a filter first; those of features last.
-    pub const ALL: [Self; 13 + cfg!(feature = "glint") as usize] = [
+    pub const ALL: [Self; 13 + 2 * cfg!(feature = "glint") as usize] = [
         Self::Plain,
         Self::IsotropicDeferred,
         Self::AnisotropicDeferred,
@@ -65,6 +68,8 @@ impl Preset {
         Self::Facade,
         #[cfg(feature = "glint")]
         Self::Glints,
+        #[cfg(feature = "glint")]
+        Self::ManyLobes,
     ];
 
     /// The preset's name, as a command line takes it.
@@ -89,6 +94,8 @@ impl Preset {
             Self::Facade => "facade",
             #[cfg(feature = "glint")]
             Self::Glints => "glints",
+            #[cfg(feature = "glint")]
+            Self::ManyLobes => "many_lobes",
         }
     }
 
@@ -234,6 +241,17 @@ impl Preset {
                 I::PixelFilterBox,
                 I::GlintLobeWidened,
                 I::GlintLobeBrdf,
+            ],
+            #[cfg(feature = "glint")]
+            Self::ManyLobes => &[
+                I::RoughnessFromAlpha,
+                I::MultiLobeNew,
+                I::FragmentPatch,
+                I::MultiLobeLobe,
+                I::FragmentDiskKernel,
+                I::PixelFilterBox,
+                I::PatchLobeWidened,
+                I::PatchLobeBrdf,
             ],
         }
     }

@@ -1,7 +1,7 @@
 //! The text of the mirror, taken apart and put together again.
 //!
 //! Floor 0. The files keep to a shape that needs no parser: a declaration begins at the start of a line, under its
-//! comment, and ends with a line `}` or, for a constant, with a semicolon.
+//! comment, and ends with a line `}` or, for a constant or a buffer, with a semicolon.
 
 use super::item::Item;
 use super::module::Module;
@@ -9,7 +9,7 @@ use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::string::String;
 use alloc::vec::Vec;
 
-/// A function, constant or structure.
+/// A function, constant, structure or buffer.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Declaration {
     pub(super) name: &'static str,
@@ -29,8 +29,7 @@ pub(super) fn declarations(body: &'static str) -> Vec<Declaration> {
         at = end;
         let text = line.trim_end();
         if code.is_none() {
-            if text.starts_with("fn ") || text.starts_with("const ") || text.starts_with("struct ")
-            {
+            if ["fn ", "const ", "struct ", "@"].iter().any(|word| text.starts_with(word)) {
                 code = Some(start);
             } else if text.starts_with("//") {
                 comment = comment.or(Some(start));
@@ -39,8 +38,8 @@ pub(super) fn declarations(body: &'static str) -> Vec<Declaration> {
             }
         }
         let Some(begin) = code else { continue };
-        let constant = body[begin..].starts_with("const ");
-        if (constant && text.ends_with(';')) || (!constant && text == "}") {
+        let stated = ["const ", "@"].iter().any(|word| body[begin..].starts_with(word));
+        if (stated && text.ends_with(';')) || (!stated && text == "}") {
             let (whole, code_text) = (&body[comment.unwrap_or(begin)..end], &body[begin..end]);
             let name = uses(code_text).next().unwrap_or_default();
             found.push(Declaration { name, whole, code: code_text });
@@ -62,7 +61,7 @@ pub(super) fn uses(code: &'static str) -> impl Iterator<Item = &'static str> {
 
 /// The WGSL text of these items and of everything they use, each once and in the order of the files; nothing else.
 ///
-/// No bindings, no entry points, no directives: append your shader to it. The same items in any order, or twice, give
+/// No entry points, no directives, and no bindings but a dictionary's buffer: append your shader to it. The same items in any order, or twice, give
 /// the same text; none give an empty one.
 ///
 /// ```

@@ -241,6 +241,14 @@ def fit_ierfcx(name, bits, degree, pole):
     fit_half_line(name, bits, degree, pole, ierfcx, lambda x: x * (x + 0.875) + 0.5, mpf(1) / 2)
 
 
+def fit_half_turn(name, bits, degree):
+    """tan(pi u/4)/u in v = u^2, 0 <= v <= 1: relative."""
+    def core(v):
+        u = mp.sqrt(v)
+        return mp.tan(mp.pi / 4 * u) / u if v else mp.pi / 4
+    report(name, Fit(core, lambda v: 1 / core(v), 0, 1, degree), bits)
+
+
 def fit_quantile(name, bits, degree):
     """z/(1 - 2v) in t = w/(w + 8) - 3/8, w = -ln(4v(1 - v)), for v from 2^-34 to 1/2: relative; P(Z > z) = v."""
     def argument(t):
@@ -362,6 +370,7 @@ FITS = {
     "ierfcx_f32": lambda n: fit_ierfcx(n, SINGLE, 12, mpf(83) / 32),
     "erfcx_f64": lambda n: fit_erfcx(n, DOUBLE, 24, 4),
     "quantile": lambda n: fit_quantile(n, SINGLE, 9),
+    "half_turn": lambda n: fit_half_turn(n, SINGLE, 4),
     "ierfcx_f64": lambda n: fit_ierfcx(n, DOUBLE, 26, 4),
 }
 

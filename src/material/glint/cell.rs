@@ -47,6 +47,12 @@ impl Cell {
         Self { words: hash([u as u32, v as u32, exponents, seed]) }
     }
 
+    /// All of its words, for another model's purposes.
+    #[inline]
+    pub(in crate::material) fn words(&self) -> [u32; 4] {
+        self.words
+    }
+
     /// Where the borders of its angular bins lie, in [0, 1) along each axis.
     ///
     /// WGSL: `lobe_cell_jitter`.

@@ -5,6 +5,7 @@
 
 mod bytes;
 mod constructors;
+mod facets;
 mod glints;
 mod maps;
 mod precision;
@@ -12,6 +13,7 @@ mod valid;
 mod widenings;
 
 pub(crate) use constructors::constructors;
+pub(crate) use facets::facets;
 pub(crate) use glints::glints;
 pub(crate) use maps::maps;
 pub(crate) use precision::precision;

@@ -1,5 +1,6 @@
 //! A piece of WGSL, run once for each item of a list of floats.
 
+use lobe::wgsl::rebound;
 use naga::ShaderStage;
 use wgpu::{BindGroup, Buffer, BufferUsages, ComputePipeline, ShaderStages};
 
@@ -24,12 +25,15 @@ pub struct Job<'a> {
     pub inputs: usize,
     /// Floats that one item writes, at least 1.
     pub outputs: usize,
+    /// Nodes of the dictionary that the library reads; none if it reads none.
+    pub dictionary: &'a [[f32; 2]],
 }
 
 impl Job<'_> {
     /// The whole shader.
     pub fn wgsl(&self) -> String {
-        let Self { library, body, inputs, outputs } = self;
+        let Self { library, body, inputs, outputs, .. } = self;
+        let library = rebound(library, 0, 2);
         format!(
             "{library}
 @group(0) @binding(0) var<storage, read> job_inputs: array<u32>;
@@ -61,9 +65,12 @@ if item >= arrayLength(&job_outputs) / {outputs}u {{ return; }}
     pub fn compile(&self, gpu: &'static Gpu, mode: Mode) -> Result<Kernel, String> {
         assert!(self.inputs > 0 && self.outputs > 0, "an item reads and writes at least one float");
         let module = module(gpu, mode, &self.wgsl(), (ShaderStage::Compute, "job"))?;
-        let entries =
-            [entry(0, ShaderStages::COMPUTE, true), entry(1, ShaderStages::COMPUTE, false)];
-        let (group_layout, layout) = layouts(gpu, &entries);
+        let has_dictionary = !self.dictionary.is_empty();
+        let entries = [(0, true), (1, false), (2, true)];
+        let entries = entries.map(|(slot, only)| entry(slot, ShaderStages::COMPUTE, only));
+        let (group_layout, layout) = layouts(gpu, &entries[..2 + usize::from(has_dictionary)]);
+        let dictionary =
+            has_dictionary.then(|| buffer::upload(gpu, self.dictionary.as_flattened()));
         let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: None,
             layout: Some(&layout),
@@ -72,7 +79,8 @@ if item >= arrayLength(&job_outputs) / {outputs}u {{ return; }}
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             cache: None,
         });
-        Ok(Kernel { gpu, pipeline, group_layout, inputs: self.inputs, outputs: self.outputs })
+        let Self { inputs, outputs, .. } = *self;
+        Ok(Kernel { gpu, pipeline, group_layout, dictionary, inputs, outputs })
     }
 
     /// Compiles and runs.
@@ -91,6 +99,7 @@ pub struct Kernel {
     gpu: &'static Gpu,
     pipeline: ComputePipeline,
     group_layout: wgpu::BindGroupLayout,
+    dictionary: Option<Buffer>,
     inputs: usize,
     outputs: usize,
 }
@@ -120,7 +129,8 @@ impl Kernel {
         let source = buffer::upload(self.gpu, inputs);
         let usage = BufferUsages::STORAGE | BufferUsages::COPY_SRC;
         let target = buffer::empty(self.gpu, items * self.outputs, usage);
-        let group = bind(self.gpu, &self.group_layout, &[&source, &target]);
+        let buffers: Vec<_> = [&source, &target].into_iter().chain(&self.dictionary).collect();
+        let group = bind(self.gpu, &self.group_layout, &buffers);
         Loaded { kernel: self, items, target, group }
     }
 

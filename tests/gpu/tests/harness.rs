@@ -69,7 +69,7 @@ fn all_bits_survive_a_job() {
     for gpu in Gpu::every() {
         for mode in [Mode::Shipped, Mode::Exact] {
             for body in ["put(0, at(0));", "put_bits(0, bits_at(0));"] {
-                let job = Job { library: "", body, inputs: 1, outputs: 1 };
+                let job = Job { library: "", body, inputs: 1, outputs: 1, dictionary: &[] };
                 let outputs = job.run(gpu, mode, &inputs).unwrap();
                 let echo: Vec<u32> = outputs.iter().map(|x| x.to_bits()).collect();
                 assert!(echo == bits, "{} {mode:?} {body}", gpu.name());
@@ -82,8 +82,9 @@ fn all_bits_survive_a_job() {
 fn items_beyond_one_dispatch_are_chunked() {
     let gpu = Gpu::lavapipe();
     let body = "put(0, at(1) + 1.0); put_bits(1, item); put(2, at(0));";
-    let kernel =
-        Job { library: "", body, inputs: 2, outputs: 3 }.compile(gpu, Mode::Shipped).unwrap();
+    let kernel = Job { library: "", body, inputs: 2, outputs: 3, dictionary: &[] }
+        .compile(gpu, Mode::Shipped)
+        .unwrap();
     assert!(kernel.most_items() > 1 << 20);
     let items = kernel.most_items() + 3;
     let inputs: Vec<f32> = (0..2 * items).map(|k| (k % 1009) as f32).collect();
@@ -128,7 +129,7 @@ fn rounds(gpu: &Gpu, body: &str) -> bool {
 fn exact_mode_rounds_as_rust_does() {
     for gpu in Gpu::every() {
         for (body, inputs, outputs, rust) in REWRITTEN.into_iter().filter(|it| rounds(gpu, it.0)) {
-            let job = Job { library: "", body, inputs, outputs };
+            let job = Job { library: "", body, inputs, outputs, dictionary: &[] };
             let shipped = differing(gpu, Mode::Shipped, job, rust);
             let exact = differing(gpu, Mode::Exact, job, rust);
             println!("{}: shipped {shipped}, exact {exact} of {COUNT} differ: {body}", gpu.name());
@@ -141,7 +142,7 @@ fn exact_mode_rounds_as_rust_does() {
 fn exact_mode_is_needed() {
     // If lavapipe stops rewriting sums of products, exact mode may retire.
     let (body, inputs, outputs, rust) = REWRITTEN[1];
-    let job = Job { library: "", body, inputs, outputs };
+    let job = Job { library: "", body, inputs, outputs, dictionary: &[] };
     assert!(differing(Gpu::lavapipe(), Mode::Shipped, job, rust) > 0);
 }
 
@@ -168,7 +169,7 @@ const PROTECTED: [Rewritten; 6] = [
 fn kept_protects_shipped_code() {
     for gpu in Gpu::every() {
         for (body, inputs, outputs, rust) in PROTECTED.into_iter().filter(|it| rounds(gpu, it.0)) {
-            let job = Job { library: &kept(), body, inputs, outputs };
+            let job = Job { library: &kept(), body, inputs, outputs, dictionary: &[] };
             let [shipped, exact] =
                 [Mode::Shipped, Mode::Exact].map(|mode| differing(gpu, mode, job, rust));
             assert_eq!(exact, 0, "{}: {body}", gpu.name());
@@ -216,7 +217,13 @@ fn height(p: vec2<f32>) -> f32 {
 fn wrong_text_is_pointed_at() {
     let gpu = Gpu::lavapipe();
     for mode in [Mode::Shipped, Mode::Exact] {
-        let job = Job { library: "", body: "put(0, at(0) + flase);", inputs: 1, outputs: 1 };
+        let job = Job {
+            library: "",
+            body: "put(0, at(0) + flase);",
+            inputs: 1,
+            outputs: 1,
+            dictionary: &[],
+        };
         let message = job.run(gpu, mode, &[1.0]).unwrap_err();
         assert!(message.contains("flase") && message.contains("^^^^^"), "{message}");
         let job = Job { library: "fn f() -> f32 { return 1u; }", body: "", ..job };
@@ -237,7 +244,7 @@ fn all(x: f32, y: vec3<f32>, m: mat3x3<f32>) -> f32 {
     return dot(v, sqrt(abs(y))) % 3.0 + fma(x, x, exp2(x)) + length(transpose(m)[1] / v);
 }";
     let body = "put(0, all(at(0), vec3<f32>(at(0)), mat3x3<f32>()));";
-    let job = Job { library, body, inputs: 1, outputs: 1 };
+    let job = Job { library, body, inputs: 1, outputs: 1, dictionary: &[] };
     let plain = spirv::assembled(&job.wgsl()).unwrap();
     let mut decorated = plain.clone();
     exact::no_contraction(&mut decorated);
@@ -253,7 +260,7 @@ fn work_takes_time() {
     let body = "var y = at(0); for (var k = 0; k < 64; k++) { y = y * y - 0.5; } put(0, y);";
     let inputs = vec![0.25; 1 << 16];
     for gpu in Gpu::every() {
-        let job = Job { library: "", body, inputs: 1, outputs: 1 };
+        let job = Job { library: "", body, inputs: 1, outputs: 1, dictionary: &[] };
         let kernel = job.compile(gpu, Mode::Shipped).unwrap();
         let loaded = kernel.load(&inputs);
         loaded.dispatch();

@@ -126,7 +126,7 @@ fn cpu(options: &Options) -> Result<(), String> {
     let bodies: Vec<String> = METHODS.iter().map(|method| method.compute(options.alpha)).collect();
     let copy = "put(0u, at(0u));";
     let libraries: Vec<String> = bodies.iter().map(|body| needed(body)).collect();
-    let job = |library, body| Job { library, body, inputs: FLOATS, outputs: 1 };
+    let job = |library, body| Job { library, body, inputs: FLOATS, outputs: 1, dictionary: &[] };
     let jobs: Vec<Job<'_>> = libraries.iter().zip(&bodies).map(|(l, b)| job(l, b)).collect();
     let compile = |job: &Job<'_>| job.compile(gpu, Mode::Shipped);
     let kernels: Vec<Kernel> =

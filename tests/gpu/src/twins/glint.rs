@@ -26,7 +26,7 @@ const RARE: f64 = COUNTS + 0.75 / 64.0;
 
 /// How often a grid is that of the next size, at most: sizes are spread over octaves, and fewer than 40 roundings on
 /// either machine are 80 * 2^-24 / ln(2) of one.
-const SIZES: f64 = 1e-5;
+pub(super) const SIZES: f64 = 1e-5;
 
 /// How often a pixel has a cell that decides otherwise.
 ///

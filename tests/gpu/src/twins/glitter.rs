@@ -1,4 +1,4 @@
-//! What twins of glints are given: words, counts, materials, pixels and directions, and how WGSL reads them.
+//! What twins of glints and facets are given: words, counts, materials, pixels and directions, and how WGSL reads them.
 
 use super::input::{Drawn, Input};
 use super::number::{normalized, unit};
@@ -20,6 +20,12 @@ pub(super) fn wgsl(input: Input, at: impl Fn(usize) -> String) -> Option<String>
         Input::Glints => {
             format!("glittering({}, {}, {}, {}, {})", biscale(), at(4), at(5), at(6), bits(7))
         }
+        Input::Facets => {
+            let psd = format!("lobe_psd_new({}, {}, {})", at(0), at(1), at(2));
+            let roughness = format!("lobe_roughness_from_matrix({psd})");
+            format!("faceted({roughness}, {}, {}, {}, {})", at(3), at(4), at(5), bits(6))
+        }
+        Input::Marginal => format!("{}, {}", bits(0), bits(1)),
         Input::Patch => format!("LobePatch({}, {}, {})", pair(0), pair(2), pair(4)),
         Input::Mirrored => format!("{}, {}", triple(0), triple(3)),
         _ => return None,
@@ -44,6 +50,25 @@ pub(super) fn draw(input: Input, s: &mut Source, drawn: &mut Drawn, out: &mut Ve
             put(&[density(s), variation(s), share(s)]);
             out.push(f32::from_bits(word(s)));
         }
+        Input::Facets => {
+            let ellipse = s.ellipse();
+            out.extend(ellipse.entries_single());
+            drawn.lobe = Some(LobeInput { ellipse, mean: [0.0; 2] });
+            let varied = if s.pick(3) == 0 { s.uniform(0.0, 4.0) } else { 2.0 };
+            out.extend([density(s), varied, share(s)].map(|x| x as f32));
+            out.push(f32::from_bits(word(s)));
+        }
+        Input::Tilt => {
+            let mean = s.vector(1e-3, 1.0);
+            put(&mean);
+            drawn.lobe = drawn.lobe.map(|lobe| LobeInput { mean, ..lobe });
+        }
+        Input::Relief => {
+            let mut alpha = || s.log_uniform(0.3, 3.0);
+            let [x, y] = [alpha(), alpha()];
+            out.extend(Ellipse { x, y, rho: s.uniform(-0.6, 0.6) }.entries_single());
+        }
+        Input::Marginal => out.extend([60, 10].map(|most| f32::from_bits(s.pick(most) as u32))),
         Input::Patch => put(&patch(s)),
         Input::Factors => {
             let factor = if s.pick(8) == 0 { 0.0 } else { s.log_uniform(1e-3, 1.0) };

@@ -111,6 +111,14 @@ pub enum Input {
     Radius,
     /// What a light adds to alpha^2.
     Blur,
+    /// A surface of facets with all its numbers.
+    Facets,
+    /// A mean slope, which what comes after is drawn around.
+    Tilt,
+    /// A covariance that leaves no lobe sharp.
+    Relief,
+    /// The number of a marginal and its level, now and then beyond the last.
+    Marginal,
 }
 
 /// What later groups want to know of earlier ones.
@@ -132,6 +140,8 @@ impl Input {
             | Self::Widths
             | Self::Whole
             | Self::Trials
+            | Self::Tilt
+            | Self::Marginal
             | Self::Factors => 2,
             Self::Direction
             | Self::Position
@@ -143,9 +153,11 @@ impl Input {
             | Self::Curvature
             | Self::Psd
             | Self::Roughness
+            | Self::Relief
             | Self::Half => 3,
             Self::Footprint | Self::Kernel | Self::Matrix | Self::Node | Self::Biscale => 4,
             Self::Lobe => 5,
+            Self::Facets => 7,
             Self::Pair | Self::Unorm | Self::Patch | Self::Mirrored => 6,
             Self::Glints => 8,
             Self::Halves => 9,
@@ -164,7 +176,7 @@ impl Input {
             |k: usize| format!("mat3x3f({}, {}, {})", triple(k), triple(k + 3), triple(k + 6));
         match self {
             Self::Engine => format!("u32({})", at(0)),
-            Self::Psd => psd(0),
+            Self::Psd | Self::Relief => psd(0),
             Self::Roughness => format!("lobe_roughness_from_matrix({})", psd(0)),
             Self::Lobe => {
                 format!("lobe_new({}, lobe_roughness_from_matrix({}))", pair(3), psd(0))

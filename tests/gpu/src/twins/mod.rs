@@ -1,5 +1,6 @@
 //! Every function of the mirror with its twin: the inputs, the WGSL expression, and the same in Rust.
 
+mod facets;
 mod filters;
 mod glint;
 mod glitter;
@@ -62,6 +63,18 @@ const GLITTERING: &str = "
 fn glittering(biscale: LobeBiscale, density: f32, variation: f32, share: f32, seed: u32) -> LobeGlints {
     let plain = lobe_glints_new(biscale, density);
     return LobeGlints(plain.biscale, plain.density, variation, share, plain.stretch, plain.groove, seed);
+}
+";
+
+/// Facets with all their numbers, which Rust sets one by one, and under a pixel, with the dictionary of the buffer.
+const PATCHED: &str = "
+fn patched(facets: LobeMultiLobe, pixel: LobePatch) -> LobePatchLobe {
+    return lobe_multi_lobe_lobe(facets, LobeDictionary(48u, 8u, 64u), pixel);
+}
+";
+const FACETED: &str = "
+fn faceted(roughness: LobeRoughness, density: f32, variation: f32, share: f32, seed: u32) -> LobeMultiLobe {
+    return LobeMultiLobe(roughness, lobe_multi_lobe_new(roughness, density).density, variation, share, seed);
 }
 ";
 
@@ -128,8 +141,13 @@ impl Twin {
     /// What WGSL computes it with: the functions that it needs and no others of the mirror.
     pub fn library(&self) -> String {
         let body = self.body();
-        let helpers =
-            [("put_together(", PUT_TOGETHER), ("four(", FOUR), ("glittering(", GLITTERING)];
+        let helpers = [
+            ("put_together(", PUT_TOGETHER),
+            ("four(", FOUR),
+            ("glittering(", GLITTERING),
+            ("faceted(", FACETED),
+            ("patched(", PATCHED),
+        ];
         let helpers = helpers.iter().filter(|(call, _)| body.contains(call));
         let helpers: String = helpers.map(|(_, helper)| *helper).collect();
         needed(&(body + &helpers)) + &helpers
@@ -148,7 +166,12 @@ impl Twin {
 
     /// The job, over a library from [`Twin::library`] and a body from [`Twin::body`].
     pub fn job<'a>(&self, library: &'a str, body: &'a str) -> Job<'a> {
-        Job { library, body, inputs: self.reads(), outputs: self.writes() }
+        let dictionary = if library.contains("lobe_dictionary:") {
+            facets::dictionary::<f32>().nodes()
+        } else {
+            &[]
+        };
+        Job { library, body, inputs: self.reads(), outputs: self.writes(), dictionary }
     }
 
     /// Rust's results.
@@ -204,5 +227,5 @@ use twins;
 /// All of them.
 pub fn all() -> Vec<Twin> {
     let lobes = [scalar::twins(), slope::twins(), ndf::all_twins(), filters::twins()];
-    [lobes.concat(), material::twins(), glint::twins()].concat()
+    [lobes.concat(), material::twins(), glint::twins(), facets::twins()].concat()
 }

@@ -3,6 +3,7 @@
 use lobe::filter::DiskKernel;
 use lobe::material::glint::{Biscale, Glints, Patch};
 use lobe::material::leadr::{Facet, Leadr, Node};
+use lobe::material::multilobe::MultiLobe;
 use lobe::slope::Motion;
 use lobe::{
     Alphas, Eigen, Footprint, Kernel, Lobe, PixelFilter, Psd, Real, Roughness, SlopeMoments, Vertex,
@@ -94,6 +95,13 @@ impl<'a> Reader<'a> {
         let glints = glints.and_then(|glints| glints.with_variation(self.f()));
         let glints = glints.and_then(|glints| glints.with_share(self.f()));
         glints.expect("drawn numbers are in range").with_seed(self.word())
+    }
+
+    pub(super) fn facets<R: Real>(&mut self) -> MultiLobe<R> {
+        let facets = MultiLobe::new(self.roughness(), self.f());
+        let facets = facets.and_then(|facets| facets.with_variation(self.f()));
+        let facets = facets.and_then(|facets| facets.with_share(self.f()));
+        facets.expect("drawn numbers are in range").with_seed(self.word())
     }
 
     pub(super) fn patch<R: Real>(&mut self) -> Patch<R> {

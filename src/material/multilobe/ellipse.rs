@@ -1,0 +1,110 @@
+//! Which cells of a level an elliptic pixel covers, and how much of each.
+//!
+//! Floor 4.
+
+use crate::material::glint::Patch;
+use crate::scalar::{Psd, Real};
+
+/// Longest pixel against its width: longer ones get wider.
+pub const ELLIPSE_LIMIT: u32 = 8;
+
+/// Rows that one level may need: a half height of 16 cells, grown by one cell's own.
+pub(super) const ROWS: i32 = 34;
+
+/// A pixel's ellipse on texture coordinates: centre, and square of its axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Ellipse<R> {
+    pub(super) uv: [R; 2],
+    square: Psd<R>,
+    /// Its smaller radius, at least.
+    pub(super) width: R,
+}
+
+/// An ellipse on one level, in cells: radii grown by a cell, so that there is always one inside.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rows<R> {
+    centre: [R; 2],
+    square: Psd<R>,
+    pub(super) first: i32,
+    pub(super) last: i32,
+}
+
+/// A row's cells.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row<R> {
+    pub(super) first: i32,
+    pub(super) last: i32,
+    /// Where the ellipse's middle is in it, its half width there squared, and what is left of the squared radius.
+    middle: R,
+    square: R,
+    rest: R,
+}
+
+impl<R: Real> Ellipse<R> {
+    /// Of a patch: half axes as long as the derivatives' singular values, the smaller one at least an eighth.
+    #[inline]
+    pub(super) fn of(patch: &Patch<R>) -> Self {
+        // NaN counts as 0, as in a grid of glints.
+        let number = |x: R| if x >= R::ZERO || x < R::ZERO { x } else { R::ZERO };
+        let finite = |v: [R; 2]| v.map(|x| number(x).max(-R::LARGEST).min(R::LARGEST));
+        let (right, up) = (finite(patch.right), finite(patch.up));
+        // Rows of [right up]: sums of outer products of the columns.
+        let square = Psd::outer_sum(right, up);
+        let eigen = square.eigen();
+        let limit = R::lit(f64::from(ELLIPSE_LIMIT * ELLIPSE_LIMIT));
+        let missing = (eigen.major / limit - eigen.minor).max(R::ZERO);
+        let [x, y] = eigen.axis.map(|c| c * missing.sqrt());
+        let square = square.plus(&Psd::outer_sum([-y, x], [R::ZERO; 2]));
+        let width = (eigen.minor + missing).sqrt();
+        Self { uv: patch.uv, square, width }
+    }
+
+    /// On the level of cells of size $2^k$.
+    #[inline]
+    pub(super) fn rows(&self, exponent: i32) -> Rows<R> {
+        let inverse = R::power_of_two(-exponent);
+        let limit = R::power_of_two(21);
+        let centre = self.uv.map(|x| (x * inverse).max(-limit).min(limit) - R::HALF);
+        let cell = Psd::with_root_det([R::ONE, R::ZERO, R::ONE], R::ONE);
+        let square = self.square.scaled(inverse * inverse).plus(&cell);
+        let [_, _, yy] = square.entries();
+        let [first, last] = between(centre[1], yy.sqrt());
+        Rows { centre, square, first, last }
+    }
+}
+
+/// The whole numbers within a distance.
+#[inline]
+fn between<R: Real>(centre: R, reach: R) -> [i32; 2] {
+    let first = -((reach - centre).floor());
+    [first, (centre + reach).floor().min(first + ROWS - 1)]
+}
+
+impl<R: Real> Rows<R> {
+    /// Row `t`: the ellipse's chord.
+    #[inline]
+    pub(super) fn row(&self, t: i32) -> Row<R> {
+        let [_, xy, yy] = self.square.entries();
+        let offset = R::lit(f64::from(t)) - self.centre[1];
+        let rest = (R::ONE - offset * offset / yy).max(R::ZERO);
+        let middle = self.centre[0] + xy / yy * offset;
+        let square = self.square.root_det() * (self.square.root_det() / yy);
+        let [first, last] = between(middle, (square * rest).sqrt());
+        Row { first, last, middle, square, rest }
+    }
+}
+
+impl<R: Real> Row<R> {
+    /// The weight of cell `s` of the row: a Gaussian of the distance, which ends with 0 at the ellipse.
+    #[inline]
+    pub(super) fn weight(&self, s: i32) -> R {
+        let offset = R::lit(f64::from(s)) - self.middle;
+        // 1 - r^2, which has more digits than r^2 at the rim.
+        let inside = self.rest - offset * offset / self.square;
+        let rim = R::lit(RIM);
+        (rim * ((R::TWO * inside).exp() - R::ONE)).max(R::ZERO)
+    }
+}
+
+/// $e^{-2}$, where the Gaussian is cut.
+const RIM: f64 = 0.135_335_283_236_612_7;

@@ -1,0 +1,113 @@
+//! A surface of many facets: their slopes from afar, and how many there are.
+//!
+//! Floor 4.
+
+use super::dictionary::Dictionary;
+use super::ellipse::Ellipse;
+use super::lobe::PatchLobe;
+use crate::error::Error;
+use crate::material::glint::Patch;
+use crate::scalar::Real;
+use crate::slope::Roughness;
+
+/// A surface of facets, each pixel of which has a density of slopes of its own: many narrow lobes, whose integral is 1.
+///
+/// From afar it is the Beckmann lobe of its roughness. Where [`Glints`](crate::material::glint::Glints) draw how many
+/// details reflect at each half vector, so that one pixel's density integrates to 1 on average only, here every cell has
+/// a whole density, a rotated product of two marginals of a [`Dictionary`].
+///
+/// Source: Chermain et al. 2020, 2021. As published it is [`Dictionary`] with
+/// [`Means::Published`](super::Means::Published) and [`PatchLobe::with_mips`].
+///
+/// ```
+/// use lobe::Roughness;
+/// use lobe::material::glint::Patch;
+/// use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
+/// let dictionary = Dictionary::<f32>::new(&Recipe { levels: 8, ..Recipe::default() })?;
+/// let sand = MultiLobe::new(Roughness::from_alpha(0.5)?, 1e6)?;
+/// let pixel = sand.lobe(&dictionary, &Patch::new([0.3, 0.7], [1e-3, 0.0], [0.0, 2e-3]));
+/// assert!(pixel.brdf([0.6, 0.0, 0.8], [-0.28, 0.0, 0.96]) >= 0.0);
+/// # Ok::<(), lobe::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MultiLobe<R> {
+    pub(super) roughness: Roughness<R>,
+    pub(super) density: R,
+    pub(super) variation: R,
+    pub(super) share: R,
+    pub(super) seed: u32,
+}
+
+impl<R: Real> MultiLobe<R> {
+    /// From the roughness from afar and the number of facets per unit area of the texture: published are logarithms of
+    /// it, from $e^{15}$, which glitters, to $e^{50}$, smooth.
+    ///
+    /// # Errors
+    /// [`Error::Facets`] unless in $[10^{-18}, 10^{30}]$.
+    ///
+    /// WGSL: `lobe_multi_lobe_new`.
+    pub fn new(roughness: Roughness<R>, density: R) -> Result<Self, Error> {
+        if !(density >= R::lit(1e-18) && density <= R::lit(1e30)) {
+            return Err(Error::Facets);
+        }
+        Ok(Self { roughness, density, variation: R::TWO, share: R::ONE, seed: 0 })
+    }
+
+    /// With levels that vary from cell to cell with this deviation, so numbers of facets by powers of 4: 2 by default.
+    ///
+    /// # Errors
+    /// [`Error::Variation`] outside [0, 4].
+    ///
+    /// WGSL: none, a field there.
+    pub fn with_variation(self, variation: R) -> Result<Self, Error> {
+        if !(variation >= R::ZERO && variation <= R::lit(4.0)) {
+            return Err(Error::Variation);
+        }
+        Ok(Self { variation, ..self })
+    }
+
+    /// With facets on this share of the cells, and the smooth lobe on the others: 1 by default.
+    ///
+    /// Published code has nothing on the others (Chermain et al. 2020), or the smooth lobe (2021, on sampling).
+    ///
+    /// # Errors
+    /// [`Error::Share`] outside [0, 1].
+    ///
+    /// WGSL: none, a field there.
+    pub fn with_share(self, share: R) -> Result<Self, Error> {
+        if !(share >= R::ZERO && share <= R::ONE) {
+            return Err(Error::Share);
+        }
+        Ok(Self { share, ..self })
+    }
+
+    /// With other random numbers.
+    ///
+    /// WGSL: none, a field there.
+    #[must_use]
+    pub fn with_seed(self, seed: u32) -> Self {
+        Self { seed, ..self }
+    }
+
+    /// The roughness from afar.
+    ///
+    /// WGSL: none, a field there.
+    pub fn roughness(&self) -> Roughness<R> {
+        self.roughness
+    }
+
+    /// Edge of the smallest cell: the square that one facet has. What is closer shows no more of them.
+    ///
+    /// WGSL: `lobe_multi_lobe_facet_size`.
+    pub fn facet_size(&self) -> R {
+        R::ONE / self.density.sqrt()
+    }
+
+    /// What a pixel sees of it.
+    ///
+    /// WGSL: `lobe_multi_lobe_lobe`.
+    #[inline]
+    pub fn lobe<'a>(&self, dictionary: &'a Dictionary<R>, patch: &Patch<R>) -> PatchLobe<'a, R> {
+        PatchLobe::new(self, dictionary, Ellipse::of(patch))
+    }
+}

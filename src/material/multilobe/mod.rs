@@ -1,0 +1,29 @@
+//! Many lobes in one pixel: densities of slopes from a dictionary, each with an integral of 1 (feature `glint`).
+//!
+//! A [`Dictionary`] of even marginals is made once, by a [`Recipe`]. A [`MultiLobe`] surface has them on the cells of nested
+//! levels; a pixel sees a mixture of those that it covers ([`PatchLobe`]), filtered by its kernel
+//! without leaving the tables ([`Marginal::mean`]). As every density is even, V-cavities mask it exactly, and as every
+//! marginal has a cumulative, it can be sampled.
+//!
+//! Source: Chermain, Sauvage, Dischler & Dachsbacher 2020, "Procedural Physically-based BRDF for Real-Time Rendering of
+//! Glints"; Chermain, Lucas, Sauvage, Dischler & Dachsbacher 2021, "Real-Time Geometric Glint Anti-Aliasing with Normal Map
+//! Filtering".
+
+mod bytes;
+mod dictionary;
+mod ellipse;
+mod generate;
+mod lobe;
+mod marginal;
+mod material;
+mod plane;
+mod recipe;
+mod sample;
+
+pub use dictionary::Dictionary;
+pub use ellipse::ELLIPSE_LIMIT;
+pub use lobe::PatchLobe;
+pub use marginal::Marginal;
+pub use material::MultiLobe;
+pub use recipe::{Means, Recipe};
+pub use sample::Sampled;

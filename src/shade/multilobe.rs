@@ -1,0 +1,98 @@
+//! The facade for many lobes: bake a surface of facets under a pixel, then evaluate it for any number of lights.
+//!
+//! Floor 5.
+
+use super::colour;
+use crate::filter::Kernel;
+use crate::material::Fresnel;
+use crate::material::glint::Patch;
+use crate::material::multilobe::{Dictionary, MultiLobe, PatchLobe};
+use crate::scalar::Real;
+use crate::slope::{MeanFrame, SlopeMoments};
+
+/// A surface of facets with a Fresnel term.
+///
+/// ```
+/// use lobe::material::glint::Patch;
+/// use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
+/// use lobe::{Kernel, Roughness, SlopeMoments, material::Fresnel, shade::MultiLobeMaterial};
+///
+/// // Once for all surfaces.
+/// let dictionary = Dictionary::<f32>::new(&Recipe { levels: 8, ..Recipe::default() })?;
+/// let facets = MultiLobe::new(Roughness::from_alpha(0.4)?, 1e6)?;
+/// let sand = MultiLobeMaterial { facets, fresnel: Fresnel::white() };
+/// // Once per pixel: where it lies on the surface, what a normal map has there, what the half vector does.
+/// let patch = Patch::new([0.3, 0.7], [1e-3, 0.0], [0.0, 2e-3]);
+/// let shading = sand.bake(&dictionary, &patch, &SlopeMoments::default(), &Kernel::default());
+/// // Once per light.
+/// let [red, green, blue] = shading.evaluate([0.6, 0.0, 0.8], [-0.6, 0.0, 0.8]);
+/// assert!(red >= 0.0 && red == green && green == blue);
+/// # Ok::<(), lobe::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MultiLobeMaterial<R> {
+    /// The facets.
+    pub facets: MultiLobe<R>,
+    /// The Fresnel term.
+    pub fresnel: Fresnel<R>,
+}
+
+impl<R: Real> MultiLobeMaterial<R> {
+    /// The material as a pixel sees it: over the moments of a normal map, under the kernel of the half vector's motion.
+    ///
+    /// It is shaded in the frame of the map's mean, as no masking of V-cavities with another mean is known: there the map's
+    /// covariance is added to the roughness ([`MeanFrame::moments`]), and there the kernel's half vectors are
+    /// taken, too. Zero moments and a zero kernel leave the material as it is.
+    ///
+    /// WGSL: none, `lobe_multi_lobe_lobe`, `lobe_patch_lobe_over` and `lobe_patch_lobe_widened` there.
+    #[inline]
+    pub fn bake<'a>(
+        &self,
+        dictionary: &'a Dictionary<R>,
+        patch: &Patch<R>,
+        moments: &SlopeMoments<R>,
+        kernel: &Kernel<R>,
+    ) -> MultiLobeShading<'a, R> {
+        let frame = MeanFrame::of(moments.mean());
+        let lobe =
+            self.facets.lobe(dictionary, patch).over(&frame.moments(moments)).widened(kernel);
+        MultiLobeShading { lobe, frame, fresnel: self.fresnel }
+    }
+}
+
+/// A baked surface of facets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MultiLobeShading<'a, R: Real> {
+    lobe: PatchLobe<'a, R>,
+    frame: MeanFrame<R>,
+    fresnel: Fresnel<R>,
+}
+
+impl<'a, R: Real> MultiLobeShading<'a, R> {
+    /// The lobe underneath, in the frame of the mean.
+    ///
+    /// WGSL: none, an argument there.
+    pub fn lobe(&self) -> &PatchLobe<'a, R> {
+        &self.lobe
+    }
+
+    /// The frame that it is shaded in.
+    ///
+    /// WGSL: none, an argument there.
+    pub fn frame(&self) -> &MeanFrame<R> {
+        &self.frame
+    }
+
+    /// Radiance towards `wo` per unit of radiance and solid angle from `wi`: $F f c_i$ per channel, as
+    /// [`Shading::evaluate`](super::Shading::evaluate), with the light's cosine to the mean normal. Directions in the tangent
+    /// frame.
+    ///
+    /// WGSL: `lobe_patch_lobe_evaluate`.
+    #[inline]
+    pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R; 3] {
+        let (wo, wi) = (wo.into(), wi.into());
+        let local = self.frame.to_local(wi);
+        // The half vector's cosine is the same in any frame.
+        colour(&self.fresnel, self.lobe.brdf(self.frame.to_local(wo), local), local[2], wo, wi)
+    }
+}

@@ -1,0 +1,90 @@
+// Which cells of a level an elliptic pixel covers, and how much of each. Rust: src/material/multilobe/ellipse.rs.
+
+// Rust: `ELLIPSE_LIMIT`.
+const LOBE_ELLIPSE_LIMIT: u32 = 8u;
+// Rust: `ROWS`.
+const LOBE_ELLIPSE_ROWS: i32 = 34;
+// Rust: `RIM`.
+const LOBE_ELLIPSE_RIM: f32 = 0.13533528;
+
+// Rust: `Ellipse`.
+struct LobeEllipse {
+    uv: vec2f,
+    square: LobePsd,
+    width: f32,
+}
+
+// Rust: `Rows`.
+struct LobeEllipseRows {
+    centre: vec2f,
+    square: LobePsd,
+    first: i32,
+    last: i32,
+}
+
+// Rust: `Row`.
+struct LobeEllipseRow {
+    first: i32,
+    last: i32,
+    middle: f32,
+    square: f32,
+    rest: f32,
+}
+
+// Rust: `Ellipse::of`. NaN counts as 0.
+fn lobe_ellipse_of(pixel: LobePatch) -> LobeEllipse {
+    let square = lobe_psd_outer_sum(
+        lobe_both_within(pixel.right, LOBE_LARGEST), lobe_both_within(pixel.up, LOBE_LARGEST)
+    );
+    let eigen = lobe_psd_eigen(square);
+    let limit = f32(LOBE_ELLIPSE_LIMIT * LOBE_ELLIPSE_LIMIT);
+    let missing = lobe_max(eigen.major / limit - eigen.minor, 0.0);
+    let root = sqrt(missing);
+    let across = vec2f(-(eigen.axis.y * root), eigen.axis.x * root);
+    let wide = lobe_psd_plus(square, lobe_psd_outer_sum(across, vec2f(0.0, 0.0)));
+    return LobeEllipse(pixel.uv, wide, sqrt(eigen.minor + missing));
+}
+
+// Rust: `Ellipse::rows`.
+fn lobe_ellipse_rows(ellipse: LobeEllipse, exponent: i32) -> LobeEllipseRows {
+    let inverse = lobe_power_of_two(-exponent);
+    let centre = vec2f(
+        lobe_ellipse_bounded(ellipse.uv.x * inverse) - 0.5, lobe_ellipse_bounded(ellipse.uv.y * inverse) - 0.5
+    );
+    let square =
+        lobe_psd_plus(lobe_psd_scaled(ellipse.square, inverse * inverse), LobePsd(1.0, 0.0, 1.0, 1.0));
+    let ends = lobe_ellipse_between(centre.y, sqrt(square.yy));
+    return LobeEllipseRows(centre, square, ends.x, ends.y);
+}
+
+// WGSL only: of `Ellipse::rows`, which has it as a closure. NaN counts as the smallest.
+fn lobe_ellipse_bounded(x: f32) -> f32 {
+    let limit = lobe_power_of_two(21);
+    return lobe_min(lobe_max(x, -limit), limit);
+}
+
+// Rust: `between`.
+fn lobe_ellipse_between(centre: f32, reach: f32) -> vec2i {
+    let first = -lobe_floor(reach - centre);
+    let last = lobe_floor(centre + reach);
+    let most = first + LOBE_ELLIPSE_ROWS - 1;
+    return vec2i(first, select(most, last, last < most));
+}
+
+// Rust: `Rows::row`.
+fn lobe_ellipse_row(rows: LobeEllipseRows, t: i32) -> LobeEllipseRow {
+    let psd = rows.square;
+    let offset = f32(t) - rows.centre.y;
+    let rest = lobe_max(1.0 - offset * offset / psd.yy, 0.0);
+    let middle = rows.centre.x + psd.xy / psd.yy * offset;
+    let square = psd.root_det * (psd.root_det / psd.yy);
+    let ends = lobe_ellipse_between(middle, sqrt(square * rest));
+    return LobeEllipseRow(ends.x, ends.y, middle, square, rest);
+}
+
+// Rust: `Row::weight`.
+fn lobe_ellipse_weight(row: LobeEllipseRow, s: i32) -> f32 {
+    let offset = f32(s) - row.middle;
+    let inside = row.rest - offset * offset / row.square;
+    return lobe_max(LOBE_ELLIPSE_RIM * (lobe_exp(2.0 * inside) - 1.0), 0.0);
+}

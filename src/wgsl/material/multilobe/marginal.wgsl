@@ -1,0 +1,61 @@
+// One even density of slopes along one axis, by its nodes. Rust: src/material/multilobe/marginal.rs.
+
+// Rust: `Marginal::node`, with `Marginal::cumulative`: density and, odd about 0, cumulative.
+fn lobe_marginal_node(marginal: LobeMarginal, k: i32) -> vec2f {
+    let node = lobe_dictionary[marginal.begin + u32(abs(k))];
+    return vec2f(node.x, select(node.y, -node.y, k < 0));
+}
+
+// Rust: `Marginal::within`.
+fn lobe_marginal_within(marginal: LobeMarginal, k: i32, place: f32) -> f32 {
+    let part = place - f32(k);
+    let a = lobe_marginal_node(marginal, k).x;
+    let b = lobe_marginal_node(marginal, k + 1).x;
+    return lobe_max(a + part * (b - a), 0.0);
+}
+
+// Rust: `Marginal::interval`.
+fn lobe_marginal_interval(marginal: LobeMarginal, place: f32) -> i32 {
+    let k = lobe_floor(place);
+    let last = marginal.intervals - 1;
+    return select(last, k, k < last);
+}
+
+// Rust: `Marginal::density`. 0 for NaN.
+fn lobe_marginal_density(marginal: LobeMarginal, x: f32) -> f32 {
+    let end = f32(marginal.intervals);
+    let place = abs(x) * (end / 4.0);
+    if !(place <= end) {
+        return 0.0;
+    }
+    return lobe_marginal_within(marginal, lobe_marginal_interval(marginal, place), place);
+}
+
+// Rust: `Marginal::mean`. 0 for NaN; a width of NaN counts as 0.
+fn lobe_marginal_mean(marginal: LobeMarginal, x: f32, width: f32) -> f32 {
+    let end = f32(marginal.intervals);
+    let scale = end / 4.0;
+    let place = abs(x) * scale;
+    let half = 0.5 * (lobe_max(width, 0.0) * scale);
+    let a = place - half;
+    let b = place + half;
+    if !(a < end) {
+        return 0.0;
+    }
+    let whole = b - a;
+    let low = lobe_max(a, -end);
+    let high = lobe_min(b, end);
+    let first = lobe_marginal_interval(marginal, low);
+    let last = lobe_marginal_interval(marginal, high);
+    if first == last {
+        let middle = lobe_marginal_within(marginal, first, 0.5 * (low + high));
+        return select(middle, lobe_defined(middle * ((high - low) / whole)), whole > 0.0);
+    }
+    let after = f32(first + 1);
+    let before = f32(last);
+    let left = (after - low) * lobe_marginal_within(marginal, first, 0.5 * (low + after));
+    let right = (high - before) * lobe_marginal_within(marginal, last, 0.5 * (high + before));
+    let cumulative =
+        lobe_marginal_node(marginal, last).y - lobe_marginal_node(marginal, first + 1).y;
+    return lobe_defined((left + right + cumulative * scale) / whole);
+}
