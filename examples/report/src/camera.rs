@@ -4,7 +4,7 @@ use lobe::slope::direction::normalize;
 use serde::Serialize;
 
 use crate::scalar::Scalar;
-use crate::vector::{Vector, add, along, cast, cross, scaled, sub, turned};
+use crate::vector::{Vector, add, along, cast, cross, dot, scaled, sub, turned};
 
 /// A picture's size in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -92,7 +92,6 @@ impl Camera<f64> {
     /// Where on the picture a point in front of the camera is seen.
     #[cfg(test)]
     pub(crate) fn place(&self, point: Vector<f64>) -> [f64; 2] {
-        use crate::vector::dot;
         // Three vectors whose mixture is the ray: `forward` is perpendicular to the other two.
         let (ray, forward) = (sub(point, self.eye), cross(self.down, self.right));
         let ray = scaled(dot(self.corner, forward) / dot(ray, forward), ray);
@@ -108,6 +107,19 @@ impl Camera<f64> {
             right: cast(self.right),
             down: cast(self.down),
         }
+    }
+
+    /// Steps on a surface to the pixels at the right and above, by ray differentials (Igehy 1999): of the point at a
+    /// multiple of a ray's direction, in its tangent plane.
+    pub(crate) fn differentials(
+        &self,
+        ray: &Ray<f64>,
+        distance: f64,
+        normal: Vector<f64>,
+    ) -> [Vector<f64>; 2] {
+        let facing = dot(ray.direction, normal);
+        [scaled(distance, self.right), scaled(-distance, self.down)]
+            .map(|sideways| along(sideways, -dot(sideways, normal) / facing, ray.direction))
     }
 
     /// Steps on the plane z = 0 to the pixels at the right and above, as lengths.

@@ -4,11 +4,12 @@
 //! `method` shades them, `reference` is what they should have given, `metric` and `timing` put numbers
 //! on both, `study` collects a scene's, `sequence` those of a scene in motion, `page` shows them. `kernels`
 //! judges filters of GGX without any scene, `minify` those of normal maps, with a renderer of its own, `relief`
-//! LEADR's grids against rays, `glints` two models of details against the details. [`shot`] gives two of the scenes to
+//! LEADR's grids against rays, `glints` two models of details against the details, `facets` filters of many lobes against many samples. [`shot`] gives two of the scenes to
 //! other renderers, as plain numbers.
 
 mod camera;
 mod coverage;
+mod facets;
 mod footprints;
 mod frame;
 mod frontier;

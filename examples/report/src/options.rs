@@ -7,6 +7,7 @@ use clap::error::ErrorKind;
 use clap::{Parser, ValueEnum};
 
 use crate::camera::Size;
+use crate::facets;
 use crate::glints;
 use crate::light::LightKind;
 use crate::minify;
@@ -92,7 +93,8 @@ pub(crate) enum Scenes {
     Disc,
     /// Normal maps on a plane, many texels to a pixel, and a zoom.
     Minified,
-    /// Details that flicker: two models of glints against real details, with materials and lights of their own.
+    /// Details that flicker: two models of glints against real details, and filters of many facets, with materials and
+    /// lights of their own.
     Glints,
     /// All of them; with --quick one normal map only.
     All,
@@ -180,6 +182,15 @@ impl Options {
         let plan = if self.quick { glints::Plan::quick() } else { glints::Plan::full() };
         let width = self.size.map_or(plan.width, |asked| asked.min(plan.width));
         self.scene.include(Scenes::Glints).then_some(glints::Plan { width, ..plan })
+    }
+
+    /// How facets are measured, if glints are asked for: in pictures no wider than asked for.
+    pub(crate) fn facets(&self) -> Option<facets::Plan> {
+        let plan = if self.quick { facets::Plan::quick() } else { facets::Plan::full() };
+        let narrow = |width: usize| self.size.map_or(width, |asked| asked.min(width));
+        let [width, zoom, sweep] = [plan.width, plan.zoom, plan.sweep].map(narrow);
+        let plan = facets::Plan { width, zoom, sweep, ..plan };
+        self.scene.include(Scenes::Glints).then_some(plan)
     }
 
     fn first_light(&self) -> LightKind {

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::camera::Size;
+use crate::facets::{self, Facets};
 use crate::glints::{self, Glitter};
 use crate::kernels::Kernels;
 use crate::method;
@@ -52,7 +53,7 @@ fn report(options: &Options) -> Result<(), Mistake> {
         + moving.len() as u64 * plan.steps()
         + minified.len() as u64 * minification.steps()
         + relief.as_ref().map_or(0, relief::Plan::steps)
-        + glints.as_ref().map_or(0, |_| glints::steps());
+        + glints.as_ref().map_or(0, |_| glints::steps() + facets::steps());
     let bar = ProgressBar::new(steps);
     if let Ok(style) = ProgressStyle::with_template("{msg:24} {wide_bar} {percent:>3} %  {eta}") {
         bar.set_style(style);
@@ -92,9 +93,15 @@ fn report(options: &Options) -> Result<(), Mistake> {
         let glints = Glitter::measured(&plan, &|| bar.inc(1));
         report.glints = Some(glints.map_err(|error| Mistake(format!("glints: {error}")))?);
     }
+    if let Some(plan) = options.facets() {
+        bar.set_message("facets");
+        let facets = Facets::measured(&plan, &|| bar.inc(1));
+        report.facets = Some(facets.map_err(|error| Mistake(format!("facets: {error}")))?);
+    }
     bar.finish_and_clear();
     print(&report.relief_text());
     print(&report.glints_text());
+    print(&report.facets_text());
     print(&report.kernels_text());
     print(&report.sizes_text());
     print(&report.advice_text());

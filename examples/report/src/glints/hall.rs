@@ -8,7 +8,7 @@ use super::cells::{cut, whole};
 use super::material::snow;
 use super::model::Made;
 use crate::camera::{Camera, Ray, Size};
-use crate::vector::{Vector, add, along, dot, scaled, sub};
+use crate::vector::{Vector, add, dot, scaled, sub};
 
 /// Pictures of the hall; what is not hit has 0 cells.
 pub(crate) struct Hall {
@@ -66,17 +66,13 @@ impl Hall {
     }
 }
 
-/// Texture coordinates of a pixel and how they change to the next ones, by ray differentials (Igehy 1999).
+/// Texture coordinates of a pixel and how they change to the next ones.
 fn patch(camera: &Camera<f64>, x: f64, y: f64) -> Option<Patch<f64>> {
     let ray = camera.ray(x, y);
     let hit = nearest(&ray)?;
-    let facing = dot(ray.direction, hit.normal);
-    let step = |turn: Vector<f64>| {
-        let sideways = scaled(hit.distance, turn);
-        let moved = along(sideways, -dot(sideways, hit.normal) / facing, ray.direction);
-        hit.gradients.map(|gradient| dot(gradient, moved))
-    };
-    Some(Patch::new(hit.uv, step(camera.right), step(scaled(-1.0, camera.down))))
+    let steps = camera.differentials(&ray, hit.distance, hit.normal);
+    let [right, up] = steps.map(|step| hit.gradients.map(|gradient| dot(gradient, step)));
+    Some(Patch::new(hit.uv, right, up))
 }
 
 /// The first surface in front of the eye.

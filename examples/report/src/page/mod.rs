@@ -2,6 +2,8 @@
 
 mod axis;
 mod chart;
+mod colours;
+mod facets;
 mod gallery;
 mod glints;
 mod grid;
@@ -9,6 +11,7 @@ mod kernels;
 mod measure;
 mod minify;
 mod overall;
+mod part;
 mod picture;
 mod plot;
 mod proxy;
@@ -22,6 +25,7 @@ mod zoom;
 
 use serde::Serialize;
 
+use crate::facets::Facets;
 use crate::glints::Glitter;
 use crate::kernels::Kernels;
 use crate::method::{Distribution, Method};
@@ -51,6 +55,7 @@ pub(crate) struct Report {
     pub(crate) sequences: Vec<Sequence>,
     pub(crate) relief: Option<Relief>,
     pub(crate) glints: Option<Glitter>,
+    pub(crate) facets: Option<Facets>,
     pub(crate) minified: Vec<Minified>,
 }
 
@@ -65,6 +70,7 @@ impl Report {
             sequences: Vec::new(),
             relief: None,
             glints: None,
+            facets: None,
             minified: Vec::new(),
         }
     }
@@ -82,6 +88,11 @@ impl Report {
     /// Glints, as text; empty if they were not asked for.
     pub(crate) fn glints_text(&self) -> String {
         self.glints.as_ref().map(glints::text).unwrap_or_default()
+    }
+
+    /// Facets, as text; empty if they were not asked for.
+    pub(crate) fn facets_text(&self) -> String {
+        self.facets.as_ref().map(facets::text).unwrap_or_default()
     }
 
     /// The shaders' sizes, as text.
@@ -159,6 +170,7 @@ impl Report {
             kernels: &self.kernels,
             relief: self.relief.as_ref(),
             glints: self.glints.as_ref(),
+            facets: self.facets.as_ref(),
             shaders: &self.sizes,
         };
         serde_json::to_vec_pretty(&data).map_err(|error| format!("report.json: {error}"))
@@ -176,7 +188,7 @@ impl Report {
              <p class=\"lead\">Specular filters at one sample per pixel against plain supersampling, \
              plots at alpha = {}. The large number is how much longer supersampling takes to reach the best \
              filter\u{2019}s error.</p>\n\
-             {front}{}{back}{}{}{}{}{}{}{}{}</body>\n</html>\n",
+             {front}{}{back}{}{}{}{}{}{}{}{}{}</body>\n</html>\n",
             include_str!("style.css"),
             self.alpha(),
             self.summary(),
@@ -185,6 +197,7 @@ impl Report {
             minify::html(&self.minified),
             self.relief.as_ref().map(relief::html).unwrap_or_default(),
             self.glints.as_ref().map(glints::html).unwrap_or_default(),
+            self.facets.as_ref().map(facets::html).unwrap_or_default(),
             kernels::html(&self.kernels),
             sizes::html(&self.sizes),
             self.explanation(methods),
@@ -269,6 +282,7 @@ struct Data<'a> {
     kernels: &'a Kernels,
     relief: Option<&'a Relief>,
     glints: Option<&'a Glitter>,
+    facets: Option<&'a Facets>,
     shaders: &'a Sizes,
 }
 

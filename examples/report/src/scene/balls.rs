@@ -17,9 +17,9 @@ const GAP: f64 = 3.0;
 
 /// One ball.
 #[derive(Clone, Copy)]
-pub(super) struct Ball<R> {
-    pub(super) centre: Vector<R>,
-    pub(super) radius: R,
+pub(crate) struct Ball<R> {
+    pub(crate) centre: Vector<R>,
+    pub(crate) radius: R,
 }
 
 impl Ball<f64> {
@@ -34,7 +34,7 @@ impl<R: Scalar> Ball<R> {
     /// From the point of the ray nearest to the centre, which keeps the digits that the quadratic's
     /// coefficients lose far away.
     #[inline]
-    pub(super) fn enter(&self, ray: &Ray<R>) -> Option<(R, Vector<R>)> {
+    pub(crate) fn enter(&self, ray: &Ray<R>) -> Option<(R, Vector<R>)> {
         let to = sub(self.centre, ray.eye);
         let length_squared = dot(ray.direction, ray.direction);
         let nearest = dot(to, ray.direction) / length_squared;

@@ -31,6 +31,11 @@ pub(crate) fn restless_map() -> Result<NormalMap, String> {
     decode(&CARRIED[1])
 }
 
+/// The map of facets on a ball: of the carried ones it has the most of one direction.
+pub(crate) fn combed_map() -> Result<NormalMap, String> {
+    decode(&CARRIED[2])
+}
+
 fn decode(&(name, file): &(&str, &[u8])) -> Result<NormalMap, String> {
     let texture = Texture::decode(file).map_err(|error| format!("carried {name}: {error}"))?;
     Ok(NormalMap { name: name.into(), texture: Arc::new(texture) })

@@ -5,13 +5,14 @@ use std::sync::Arc;
 use lobe::slope::direction::normalize;
 
 use super::balls::Ball;
+use super::chart::Lambert;
 use super::map::NormalMap;
 use super::surface::{Hit, Shape};
 use crate::camera::{Ray, Size};
 use crate::frame::{Comb, Turn};
 use crate::scalar::Scalar;
 use crate::texture::Texture;
-use crate::vector::{Vector, add, along, dot, scaled};
+use crate::vector::{Vector, add, along, scaled};
 
 /// Radius over the picture's height: 100 pixels at a width of 400.
 const RADIUS: f64 = 0.444;
@@ -22,10 +23,9 @@ const DENSITY: f64 = 1.0;
 /// The ball; its map is laid on by Lambert's equal-area projection from the point that faces the eye.
 pub(super) struct MappedBall<R> {
     ball: Ball<R>,
-    comb: Comb<R>,
+    /// In texels.
+    chart: Lambert<R>,
     texture: Arc<Texture>,
-    /// Texels per radius.
-    density: R,
 }
 
 impl MappedBall<f64> {
@@ -39,9 +39,8 @@ impl MappedBall<f64> {
         );
         let ball = Self {
             ball: Ball { centre: [0.0; 3], radius },
-            comb: Comb::around([0.0, -1.0, 0.0]),
+            chart: Lambert { comb: Comb::around([0.0, -1.0, 0.0]), density: DENSITY * radius },
             texture: Arc::clone(&map.texture),
-            density: DENSITY * radius,
         };
         (ball, caption)
     }
@@ -50,9 +49,8 @@ impl MappedBall<f64> {
     pub(super) fn cast<R: Scalar>(&self) -> MappedBall<R> {
         MappedBall {
             ball: self.ball.cast(),
-            comb: self.comb.cast(),
+            chart: self.chart.cast(),
             texture: Arc::clone(&self.texture),
-            density: R::lit(self.density),
         }
     }
 }
@@ -61,34 +59,21 @@ impl<R: Scalar> MappedBall<R> {
     /// The map's axes on the ball: two tangents and the normal.
     #[inline]
     fn axes(&self, normal: Vector<R>) -> [Vector<R>; 3] {
-        [self.comb.tangent(0, normal), self.comb.tangent(1, normal), normal]
+        [self.chart.comb.tangent(0, normal), self.chart.comb.tangent(1, normal), normal]
     }
 
-    /// Texel coordinates of a point, by its normal: $\sqrt{2/(1 + n \cdot e)}\,(n \cdot a, n \cdot b)$. The map's
-    /// rows count down.
+    /// Texel coordinates of a point, by its normal. The map's rows count down.
     #[inline]
     fn texel(&self, normal: Vector<R>) -> [R; 2] {
-        let factor = self.density * self.stretch(normal);
-        let [a, b] = self.comb.sides;
-        [factor * dot(normal, a), -factor * dot(normal, b)]
-    }
-
-    #[inline]
-    fn stretch(&self, normal: Vector<R>) -> R {
-        (R::TWO / (R::ONE + dot(normal, self.comb.axis))).sqrt()
+        let [x, y] = self.chart.at(normal);
+        [x, -y]
     }
 
     /// Change of the texel coordinates where the normal changes by `turn`.
     #[inline]
     fn texel_change(&self, normal: Vector<R>, turn: Vector<R>) -> [R; 2] {
-        let stretch = self.stretch(normal);
-        let [a, b] = self.comb.sides;
-        let relative =
-            -R::HALF * dot(turn, self.comb.axis) / (R::ONE + dot(normal, self.comb.axis));
-        let change = |side: Vector<R>| {
-            self.density * stretch * (dot(turn, side) + relative * dot(normal, side))
-        };
-        [change(a), -change(b)]
+        let [x, y] = self.chart.change(normal, turn);
+        [x, -y]
     }
 }
 
@@ -108,7 +93,7 @@ impl<R: Scalar> Shape<R> for MappedBall<R> {
             point: along(self.ball.centre, self.ball.radius, geometric),
             geometric,
             normal,
-            tangent: self.comb.tangent(0, normal),
+            tangent: self.chart.comb.tangent(0, normal),
             part: 0,
         })
     }
@@ -119,12 +104,12 @@ impl<R: Scalar> Shape<R> for MappedBall<R> {
         let at = self.texel(hit.geometric);
         let local = normalize(self.texture.lookup(at[0], at[1]));
         let local_turn = self.texture.turn(at, self.texel_change(hit.geometric, turn));
-        let axes_turn = [0, 1].map(|side| self.comb.turn(side, hit.geometric, turn));
+        let axes_turn = [0, 1].map(|side| self.chart.comb.turn(side, hit.geometric, turn));
         let normal = add(
             combined(self.axes(hit.geometric), local_turn),
             combined([axes_turn[0], axes_turn[1], turn], local),
         );
-        Turn { normal, tangent: self.comb.turn(0, hit.normal, normal) }
+        Turn { normal, tangent: self.chart.comb.turn(0, hit.normal, normal) }
     }
 }
 
@@ -146,12 +131,12 @@ mod tests {
             let u = normalize(cross(n, [0.3, 0.2, 0.9]));
             let [a, b] = [u, cross(n, u)].map(|step| ball.texel_change(n, step));
             let area = (a[0] * b[1] - a[1] * b[0]).abs();
-            assert!((area / (ball.density * ball.density) - 1.0).abs() < 1e-12);
+            assert!((area / (ball.chart.density * ball.chart.density) - 1.0).abs() < 1e-12);
             let h = 1e-6;
             let [after, before] = [h, -h].map(|t| ball.texel(normalize(add(n, scaled(t, u)))));
             for axis in 0..2 {
                 let difference = (after[axis] - before[axis]) / (2.0 * h);
-                assert!((difference - a[axis]).abs() < 1e-6 * ball.density);
+                assert!((difference - a[axis]).abs() < 1e-6 * ball.chart.density);
             }
         }
     }

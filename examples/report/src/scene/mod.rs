@@ -3,6 +3,7 @@
 //! A new scene is a new [`Surface`] in a file of its own and one more constructor of [`Subject`].
 
 mod balls;
+mod chart;
 mod disc;
 mod map;
 mod mapped_ball;
@@ -25,10 +26,13 @@ use crate::scalar::Scalar;
 use crate::vector::{add, along, dot, scaled, sub, tangential};
 use surface::{Hit, Shape, Surface, on_shape};
 
+pub(crate) use balls::Ball;
+pub(crate) use chart::{Charted, Lambert};
 pub(crate) use disc::ACROSS;
-pub(crate) use map::{NormalMap, carried_maps, restless_map};
+pub(crate) use map::{NormalMap, carried_maps, combed_map, restless_map};
 pub(crate) use movement::Movement;
 pub(crate) use subject::Subject;
+pub(crate) use torus::Torus;
 pub use traced::Traced;
 
 /// What shading needs of one point of the picture, in the point's own shading frame.

@@ -1,5 +1,6 @@
 //! A torus with a thin tube: strong curvature one way, weak of both signs the other.
 
+use super::chart::Charted;
 use super::surface::{Hit, Shape};
 use crate::camera::{Ray, Size};
 use crate::frame::{Comb, Turn};
@@ -19,7 +20,7 @@ const TILT: f64 = 50.0;
 const STEPS: usize = 256;
 
 /// A torus around the origin.
-pub(super) struct Torus<R> {
+pub(crate) struct Torus<R> {
     /// Two directions in the ring's plane and its axis.
     axes: [Vector<R>; 3],
     ring: R,
@@ -44,9 +45,32 @@ impl Torus<f64> {
             "A torus, its ring of {ring:.0} and its tube of {tube:.0} pixels radius, the axis {TILT:.0} degrees \
              from the view, light from behind at the upper right.",
         );
+        (Self::of(ring, tube), caption)
+    }
+
+    /// The same from radii of the ring and of the tube.
+    pub(crate) fn of(ring: f64, tube: f64) -> Self {
         let (sin, cos) = TILT.to_radians().sin_cos();
         let axes = [[1.0, 0.0, 0.0], [0.0, sin, cos], [0.0, -cos, sin]];
-        (Self { axes, ring, tube, comb: Comb::around([0.0, -1.0, 0.0]) }, caption)
+        Self { axes, ring, tube, comb: Comb::around([0.0, -1.0, 0.0]) }
+    }
+
+    /// Where a ray meets it, with lengths around the tube, from its top on, and along the ring.
+    pub(crate) fn charted(&self, ray: &Ray<f64>) -> Option<Charted<f64>> {
+        let hit = self.hit(ray)?;
+        let point = self.inward(hit.point);
+        let Distance { gradient, radius, .. } = self.distance(point);
+        let [x, y] = [0, 1].map(|k| point[k] / radius);
+        let (sin, cos) = (x * gradient[0] + y * gradient[1], gradient[2]);
+        let around = self.outward([cos * x, cos * y, -sin]);
+        let along = scaled(self.ring / radius, self.outward([-y, x, 0.0]));
+        Some(Charted {
+            point: hit.point,
+            normal: hit.geometric,
+            tangent: around,
+            uv: [self.tube * sin.atan2(cos), self.ring * y.atan2(x)],
+            gradients: [around, along],
+        })
     }
 
     /// The same in another precision.

@@ -6,23 +6,10 @@ mod finding;
 mod hall;
 mod tables;
 
-use super::escape;
-use super::table::Table;
+use super::part::Part;
 use crate::glints::Glitter;
 
-/// One thing that is measured: what it shows and what that says.
-struct Part {
-    title: &'static str,
-    finding: String,
-    /// On the page alone: pictures and charts.
-    figures: fn(&Glitter) -> String,
-    tables: Vec<Table>,
-    /// Whether the figures show all that the tables have: then they are for the terminal.
-    drawn: bool,
-    note: &'static str,
-}
-
-fn parts(glints: &Glitter) -> [Part; 6] {
+fn parts(glints: &Glitter) -> [Part<Glitter>; 6] {
     [
         Part {
             title: "Cells of a pixel",
@@ -77,25 +64,11 @@ fn parts(glints: &Glitter) -> [Part; 6] {
 
 /// Pictures, charts, tables and what they say.
 pub(super) fn html(glints: &Glitter) -> String {
-    let parts = parts(glints).map(|Part { title, finding, figures, tables, drawn, note }| {
-        let tables = tables.iter().filter(|_| !drawn);
-        let tables = tables.map(|table| format!("<div class=\"wide\">{}</div>\n", table.html()));
-        format!(
-            "<h3>{title}</h3>\n<p>{}</p>\n{}{}<p class=\"note\">{}</p>\n",
-            escape(&finding),
-            figures(glints),
-            tables.collect::<String>(),
-            escape(note),
-        )
-    });
+    let parts = parts(glints).map(|part| part.html(glints));
     format!("{}{}", include_str!("glints.html"), parts.concat())
 }
 
 /// Tables and findings for the terminal.
 pub(super) fn text(glints: &Glitter) -> String {
-    let parts = parts(glints).map(|Part { finding, tables, note, .. }| {
-        let tables = tables.iter().map(|table| format!("\n{}", table.text()));
-        format!("{}{note}\n{finding}\n", tables.collect::<String>())
-    });
-    format!("\nGlints\n{}", parts.concat())
+    format!("\nGlints\n{}", parts(glints).map(|part| part.text()).concat())
 }

@@ -1,0 +1,56 @@
+//! What is seen: a bent tube, or a ball.
+
+use crate::camera::Ray;
+use crate::frame::Comb;
+use crate::scene::{Ball, Charted, Lambert, Torus};
+use crate::vector::{Vector, add, dot, scaled, sub};
+
+/// A surface with lengths along it as texture coordinates; the unit is a pixel.
+pub(super) enum Body {
+    Tube(Torus<f64>),
+    Ball(Ball<f64>, Lambert<f64>),
+}
+
+/// Towards the eye.
+const FRONT: Vector<f64> = [0.0, -1.0, 0.0];
+
+impl Body {
+    /// A tube, bent to a ring.
+    pub(super) fn tube(ring: f64, radius: f64) -> Self {
+        Self::Tube(Torus::of(ring, radius))
+    }
+
+    /// A ball around the origin.
+    pub(super) fn ball(radius: f64) -> Self {
+        let chart = Lambert { comb: Comb::around(FRONT), density: radius };
+        Self::Ball(Ball { centre: [0.0; 3], radius }, chart)
+    }
+
+    /// Where a ray meets it.
+    pub(super) fn hit(&self, ray: &Ray<f64>) -> Option<Charted<f64>> {
+        match self {
+            Self::Tube(torus) => torus.charted(ray),
+            Self::Ball(ball, chart) => {
+                let (distance, normal) = ball.enter(ray)?;
+                let axes = [0, 1].map(|side| chart.comb.tangent(side, normal));
+                // A gradient by the coordinate's change along both tangents.
+                let [first, second] =
+                    axes.map(|axis| chart.change(normal, scaled(1.0 / ball.radius, axis)));
+                let gradients =
+                    [0, 1].map(|k| add(scaled(first[k], axes[0]), scaled(second[k], axes[1])));
+                Some(Charted {
+                    point: ray.at(distance),
+                    normal,
+                    tangent: axes[0],
+                    uv: chart.at(normal),
+                    gradients,
+                })
+            }
+        }
+    }
+}
+
+/// How far along a ray a point of it is, in the ray's direction.
+pub(super) fn distance(ray: &Ray<f64>, point: Vector<f64>) -> f64 {
+    dot(sub(point, ray.eye), ray.direction) / dot(ray.direction, ray.direction)
+}

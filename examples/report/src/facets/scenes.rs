@@ -1,0 +1,72 @@
+//! The two scenes of the comparison: a bent tube, and a ball with a normal map.
+
+use lobe::Error;
+use lobe::slope::direction::normalize;
+
+use super::Plan;
+use super::body::Body;
+use super::fibres::Fibres;
+use super::method::{FILTERS, MAPPINGS};
+use super::speed::Load;
+use super::stage::Stage;
+use super::trial::{Setting, Trial};
+use crate::camera::{Camera, Size};
+use crate::scene::combed_map;
+use crate::vector::Vector;
+
+/// Radius of the tube in pixels.
+pub(crate) const RADIUS: f64 = 12.0;
+
+/// Radii of the ring and of the ball over the picture's height.
+const RING: f64 = 0.36;
+const BALL: f64 = 0.46;
+
+/// Texels in a pixel, along either side, where the ball faces the eye.
+pub(crate) const TEXELS: f64 = 8.0;
+
+/// Roughness and facets in a pixel of the tube: half vectors move by a deviation and more in a pixel, as they do where
+/// highlights are filtered at all, and no single glint decides over the error. Others are in `sweep`.
+const TUBE_ALPHA: f64 = 0.1;
+const TUBE_FACETS: f64 = 1e4;
+
+/// The same of the ball: little roughness, and the map does the rest; as many facets as a surface far away has.
+const BALL_ALPHA: f64 = 0.12;
+const BALL_FACETS: f64 = 1e5;
+
+/// Distance of the eye, in widths of the picture.
+const FAR: f64 = 5.0;
+
+fn stage(width: usize, body: Body, lights: &[Vector<f64>], fibres: Option<Fibres>) -> Stage {
+    let size = Size::of_width(width);
+    let distance = FAR * width as f64;
+    let lights = lights.iter().map(|&light| normalize(light)).collect();
+    let camera = Camera::looking(size, [0.0, -distance, 0.0], [0.0; 3], distance);
+    Stage { size, camera, body, lights, fibres }
+}
+
+fn setting(plan: &Plan, alpha: f64, facets: f64) -> Setting {
+    let load = Load { pixels: plan.timed, rounds: plan.rounds };
+    Setting { alpha, facets, side: plan.side, load }
+}
+
+/// The tube under two lights, one from the upper right, one from the left.
+pub(super) fn bent(width: usize) -> Stage {
+    let ring = (RING * Size::of_width(width).height as f64).max(1.6 * RADIUS);
+    let lights = [[0.6, -0.5, 0.7], [-0.8, -0.6, 0.2]];
+    stage(width, Body::tube(ring, RADIUS), &lights, None)
+}
+
+/// All filters on it.
+pub(super) fn tube(plan: &Plan) -> Result<Trial, Error> {
+    Trial::of(&bent(plan.width), &FILTERS, &setting(plan, TUBE_ALPHA, TUBE_FACETS))
+}
+
+/// The ball under one light from the upper right.
+pub(super) fn ball(plan: &Plan) -> Result<Trial, String> {
+    let map = combed_map()?;
+    let error = |error: Error| error.to_string();
+    let fibres = Fibres::of(&map.texture, TEXELS).map_err(error)?;
+    let radius = BALL * Size::of_width(plan.width).height as f64;
+    let stage = stage(plan.width, Body::ball(radius), &[[0.5, -0.7, 0.5]], Some(fibres));
+    Trial::of(&stage, &MAPPINGS, &setting(plan, BALL_ALPHA, BALL_FACETS)).map_err(error)
+}
