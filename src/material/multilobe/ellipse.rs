@@ -34,9 +34,10 @@ pub(super) struct Rows<R> {
 pub(super) struct Row<R> {
     pub(super) first: i32,
     pub(super) last: i32,
-    /// Where the ellipse's middle is in it, its half width there squared, and what is left of the squared radius.
+    /// Where the ellipse's middle is in it, one over the square of its half width there, and what is left of the squared
+    /// radius.
     middle: R,
-    square: R,
+    inverse: R,
     rest: R,
 }
 
@@ -90,7 +91,7 @@ impl<R: Real> Rows<R> {
         let middle = self.centre[0] + xy / yy * offset;
         let square = self.square.root_det() * (self.square.root_det() / yy);
         let [first, last] = between(middle, (square * rest).sqrt());
-        Row { first, last, middle, square, rest }
+        Row { first, last, middle, inverse: R::ONE / square, rest }
     }
 }
 
@@ -100,7 +101,7 @@ impl<R: Real> Row<R> {
     pub(super) fn weight(&self, s: i32) -> R {
         let offset = R::lit(f64::from(s)) - self.middle;
         // 1 - r^2, which has more digits than r^2 at the rim.
-        let inside = self.rest - offset * offset / self.square;
+        let inside = self.rest - offset * offset * self.inverse;
         let rim = R::lit(RIM);
         (rim * ((R::TWO * inside).exp() - R::ONE)).max(R::ZERO)
     }

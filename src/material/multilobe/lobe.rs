@@ -178,9 +178,8 @@ impl<'a, R: Real> PatchLobe<'a, R> {
         }
         let plane = Plane::new(&self.roughness, &self.kernel, self.mips);
         let at = plane.point(slope);
-        let density = |facets: Facets<R>| match facets.level {
-            Some(level) => plane.density(self.dictionary, at, &facets, level),
-            None => smooth,
+        let density = |facets: Option<Facets<R>>| {
+            facets.map_or(smooth, |facets| plane.density(self.dictionary, at, &facets))
         };
         let shares = [R::ONE - self.coarser, self.coarser];
         let mut mean = R::ZERO;
@@ -258,7 +257,7 @@ impl<'a, R: Real> PatchLobe<'a, R> {
 
     /// Calls `f` with the share of every cell, and its numbers. Shares sum to 1.
     #[inline]
-    pub(super) fn visit(&self, mut f: impl FnMut(R, Facets<R>)) {
+    pub(super) fn visit(&self, mut f: impl FnMut(R, Option<Facets<R>>)) {
         let shares = [R::ONE - self.coarser, self.coarser];
         for (step, level) in (0..).zip(shares) {
             if !(level > R::ZERO) {
@@ -287,20 +286,18 @@ impl<'a, R: Real> PatchLobe<'a, R> {
         }
     }
 
-    /// What a cell has drawn.
+    /// What a cell has drawn; none: the smooth lobe.
     #[inline]
-    fn numbers(&self, cell: Cell, step: i32) -> Facets<R> {
+    fn numbers(&self, cell: Cell, step: i32) -> Option<Facets<R>> {
         let [area, level, turn, pair] = cell.words();
         let recipe = self.dictionary.recipe();
         let deviation = self.variation * normal_quantile(tail::<R>(level));
         let mean = self.facets + R::lit(f64::from(step));
         let level = (mean + deviation + R::HALF).floor().max(0).unsigned_abs();
-        let covered = tail::<R>(area) <= self.share;
-        let pick = |word: u32| ((word & 0xffff) * recipe.marginals) >> 16;
-        Facets {
-            level: (covered && level < recipe.levels).then_some(level),
-            turn: quarter_turn(turn),
-            marginals: [pick(pair >> 16), pick(pair)],
+        if level >= recipe.levels || tail::<R>(area) > self.share {
+            return None;
         }
+        let pick = |word: u32| ((word & 0xffff) * recipe.marginals) >> 16;
+        Some(Facets { level, turn: quarter_turn(turn), marginals: [pick(pair >> 16), pick(pair)] })
     }
 }

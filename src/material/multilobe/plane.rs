@@ -24,8 +24,7 @@ pub(super) struct Plane<R> {
 /// A cell's own numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facets<R> {
-    /// None: the smooth lobe.
-    pub(super) level: Option<u32>,
+    pub(super) level: u32,
     /// Of the rotation: cosine and sine.
     pub(super) turn: [R; 2],
     pub(super) marginals: [u32; 2],
@@ -85,11 +84,11 @@ impl<R: Real> Plane<R> {
         dictionary: &Dictionary<R>,
         [x, y]: [R; 2],
         facets: &Facets<R>,
-        level: u32,
     ) -> R {
         let [cos, sin] = facets.turn;
         let turned = |[x, y]: [R; 2]| [cos * x + sin * y, cos * y - sin * x];
-        let [first, second] = facets.marginals.map(|index| dictionary.marginal(index, level));
+        let [first, second] =
+            facets.marginals.map(|index| dictionary.marginal(index, facets.level));
         let [x, y] = turned([x, y]);
         if let Some(mips) = self.mips {
             let [u, v] = mips.map(turned);

@@ -93,14 +93,13 @@ impl<R: Real> PatchLobe<'_, R> {
                 sum = sum + share;
             });
         }
-        let Some(facets) = chosen.filter(|facets| facets.level.is_some()) else {
+        let Some(facets) = chosen.flatten() else {
             return self.sample_smooth([u[1], u[2]]);
         };
-        let level = facets.level.unwrap_or(0);
         let plane = Plane::new(self.roughness(), self.kernel(), None);
         let widths = plane.widths(facets.turn);
         let [x, y] = [0, 1].map(|k| {
-            let marginal = self.dictionary().marginal(facets.marginals[k], level);
+            let marginal = self.dictionary().marginal(facets.marginals[k], facets.level);
             marginal.quantile(u[1 + k]) + widths[k] * (u[3 + k] - R::HALF)
         });
         let [cos, sin] = facets.turn;

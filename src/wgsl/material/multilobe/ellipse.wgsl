@@ -27,7 +27,7 @@ struct LobeEllipseRow {
     first: i32,
     last: i32,
     middle: f32,
-    square: f32,
+    scale: f32,
     rest: f32,
 }
 
@@ -79,12 +79,12 @@ fn lobe_ellipse_row(rows: LobeEllipseRows, t: i32) -> LobeEllipseRow {
     let middle = rows.centre.x + psd.xy / psd.yy * offset;
     let square = psd.root_det * (psd.root_det / psd.yy);
     let ends = lobe_ellipse_between(middle, sqrt(square * rest));
-    return LobeEllipseRow(ends.x, ends.y, middle, square, rest);
+    return LobeEllipseRow(ends.x, ends.y, middle, 1.0 / square, rest);
 }
 
 // Rust: `Row::weight`.
 fn lobe_ellipse_weight(row: LobeEllipseRow, s: i32) -> f32 {
     let offset = f32(s) - row.middle;
-    let inside = row.rest - offset * offset / row.square;
+    let inside = row.rest - offset * offset * row.scale;
     return lobe_max(LOBE_ELLIPSE_RIM * (lobe_exp(2.0 * inside) - 1.0), 0.0);
 }

@@ -122,7 +122,7 @@ fn lobe_patch_lobe_cell(lobe: LobePatchLobe, terms: LobePatchTerms, facets: Lobe
     if facets.level < 0 {
         return terms.smoothed;
     }
-    return lobe_plane_density(terms.plane, lobe.dictionary, terms.at, facets, u32(facets.level));
+    return lobe_plane_density(terms.plane, lobe.dictionary, terms.at, facets);
 }
 
 // Rust: `PatchLobe::numbers`.
@@ -131,8 +131,10 @@ fn lobe_patch_lobe_numbers(lobe: LobePatchLobe, cell: LobeCell, step: i32) -> Lo
     let deviation = lobe.variation * lobe_normal_quantile(lobe_hash_tail(words.y));
     let drawn = lobe_floor(lobe.facets + f32(step) + deviation + 0.5);
     let level = select(0, drawn, drawn > 0);
-    let covered = lobe_hash_tail(words.x) <= lobe.share && level < i32(lobe.dictionary.levels);
+    if level >= i32(lobe.dictionary.levels) || lobe_hash_tail(words.x) > lobe.share {
+        return LobeFacets(-1, vec2f(0.0, 0.0), vec2u(0u, 0u));
+    }
     let first = ((words.w >> 16u) * lobe.dictionary.marginals) >> 16u;
     let second = ((words.w & 0xffffu) * lobe.dictionary.marginals) >> 16u;
-    return LobeFacets(select(-1, level, covered), lobe_plane_quarter_turn(words.z), vec2u(first, second));
+    return LobeFacets(level, lobe_plane_quarter_turn(words.z), vec2u(first, second));
 }

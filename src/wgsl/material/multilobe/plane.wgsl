@@ -12,7 +12,7 @@ struct LobePlane {
     spread: vec3f,
 }
 
-// Rust: `Facets`. `level` is -1 for the smooth lobe.
+// Rust: `Facets`. A level of -1 is none, the smooth lobe.
 struct LobeFacets {
     level: i32,
     turn: vec2f,
@@ -54,8 +54,9 @@ fn lobe_plane_widths(plane: LobePlane, turn: vec2f) -> vec2f {
 
 // Rust: `Plane::density`.
 fn lobe_plane_density(
-    plane: LobePlane, dictionary: LobeDictionary, at: vec2f, facets: LobeFacets, level: u32
+    plane: LobePlane, dictionary: LobeDictionary, at: vec2f, facets: LobeFacets
 ) -> f32 {
+    let level = u32(facets.level);
     let cosine = facets.turn.x;
     let sine = facets.turn.y;
     let x = cosine * at.x + sine * at.y;
