@@ -62,7 +62,7 @@ impl Dictionary<f32> {
     ///
     /// # Errors
     /// [`Error::DictionaryMagic`] of what are no bytes of a dictionary; [`Error::DictionaryVersion`] of another layout;
-    /// [`Error::Recipe`] of sizes out of range; [`Error::DictionaryLength`] of too few bytes or too many;
+    /// [`Error::Recipe`] of sizes or means out of range; [`Error::DictionaryLength`] of too few bytes or too many;
     /// [`Error::DictionaryChecksum`] of damaged ones.
     ///
     /// WGSL: none, [`Dictionary::nodes`] go into a buffer there.
@@ -78,7 +78,11 @@ impl Dictionary<f32> {
             return Err(Error::DictionaryVersion);
         }
         let width = bytes.get(32..40).and_then(|eight| eight.try_into().ok());
-        let means = if word(24)? == 0 { Means::Stratified } else { Means::Published };
+        let means = match word(24)? {
+            0 => Means::Stratified,
+            1 => Means::Published,
+            _ => return Err(Error::Recipe),
+        };
         let recipe = Recipe {
             marginals: word(12)?,
             levels: word(16)?,

@@ -23,8 +23,9 @@ const QUANTILE: f64 = 6.5;
 
 /// A pixel of a surface of many facets, for any number of lights.
 ///
-/// $P_{22}(s) = \sum_l w_l \sum_c W_c P_c(s)$: two levels of cells, one of which is at most as wide as the pixel; those
-/// within its ellipse, by a Gaussian of radius 1/2; and of each its own density $P_c(s) = p_i(x)\, p_j(y)/|\det M|$ at
+/// $P_{22}(s) = \sum_l w_l \sum_c W_c P_c(s)$: two levels of cells, one of which is at most as wide as the pixel; of each
+/// the cells within the pixel's ellipse, whose half axes are as long as the derivatives, by a Gaussian of half that as its
+/// deviation, less what is left of it at the rim; and of each cell its own density $P_c(s) = p_i(x)\, p_j(y)/|\det M|$ at
 /// $(x, y) = R^{-1} M^{-1} s$, with Chermain's matrix M ([`Roughness::chermain_matrix`] of $\sigma_o = 1$), and a rotation R,
 /// marginals i and j and their level from the cell's random numbers. On levels beyond the dictionary's last it is
 /// the Gaussian that all tend to.
