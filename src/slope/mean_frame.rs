@@ -57,6 +57,22 @@ impl<R: Real> MeanFrame<R> {
         self.axes.map(|axis| dot(axis, w))
     }
 
+    /// A direction of this frame, in the tangent frame.
+    ///
+    /// ```
+    /// let frame = lobe::slope::MeanFrame::of([0.75_f64, 0.2]);
+    /// let back = frame.to_tangent(frame.to_local([0.6, 0.0, 0.8]));
+    /// assert!((back[0] - 0.6).abs() < 1e-15 && back[1].abs() < 1e-15 && (back[2] - 0.8).abs() < 1e-15);
+    /// ```
+    ///
+    /// WGSL: `lobe_mean_frame_to_tangent`.
+    #[inline]
+    pub fn to_tangent(&self, w: impl Into<[R; 3]>) -> [R; 3] {
+        let w = w.into();
+        let [x, y, normal] = self.axes;
+        [0, 1, 2].map(|k| dot([x[k], y[k], normal[k]], w))
+    }
+
     /// Derivative of the slope in this frame by that in the tangent frame, at the mean: $c \begin{pmatrix} x_x & x_y \\\\ y_x &
     /// y_y \end{pmatrix}$ of the axes x and y, c being the cosine of the tilt.
     ///

@@ -6,7 +6,7 @@ use alloc::format;
 use alloc::string::String;
 
 /// How the declaration of the one buffer begins in the texts.
-const BOUND: &str = "@group(1) @binding(0) var<storage, read> ";
+const BOUND: &str = "@group(1) @binding(0) var<storage, read> lobe_dictionary";
 
 /// A text with the buffer of its dictionary at another place than group 1, binding 0.
 ///
@@ -21,5 +21,8 @@ const BOUND: &str = "@group(1) @binding(0) var<storage, read> ";
 /// assert!(text.contains("@group(0) @binding(7) var<storage, read> lobe_dictionary: array<vec2f>;"));
 /// ```
 pub fn rebound(text: &str, group: u32, binding: u32) -> String {
-    text.replace(BOUND, &format!("@group({group}) @binding({binding}) var<storage, read> "))
+    text.replace(
+        BOUND,
+        &format!("@group({group}) @binding({binding}) var<storage, read> lobe_dictionary"),
+    )
 }

@@ -144,6 +144,7 @@ items! {
     SlopeLayers: file "slope_layers";
     MeanFrameOf: fn "mean_frame_of", "MeanFrame::of";
     MeanFrameToLocal: fn "mean_frame_to_local", "MeanFrame::to_local";
+    MeanFrameToTangent: fn "mean_frame_to_tangent", "MeanFrame::to_tangent";
     MeanFrameJacobian: fn "mean_frame_jacobian", "MeanFrame::jacobian";
     MeanFrameMoments: fn "mean_frame_moments", "MeanFrame::moments";
     SlopeMeanFrame: file "slope_mean_frame";
@@ -332,6 +333,7 @@ items! {
     MaterialMultilobeMarginal: file "material_multilobe_marginal";
     EllipseLimit: const "ELLIPSE_LIMIT", "ELLIPSE_LIMIT";
     MaterialMultilobeEllipse: file "material_multilobe_ellipse";
+    MaterialMultilobePieces: file "material_multilobe_pieces";
     MaterialMultilobePlane: file "material_multilobe_plane";
     PatchLobeOver: fn "patch_lobe_over", "PatchLobe::over";
     PatchLobeWidened: fn "patch_lobe_widened", "PatchLobe::widened";

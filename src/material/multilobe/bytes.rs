@@ -63,7 +63,7 @@ impl Dictionary<f32> {
     /// # Errors
     /// [`Error::DictionaryMagic`] of what are no bytes of a dictionary; [`Error::DictionaryVersion`] of another layout;
     /// [`Error::Recipe`] of sizes or means out of range; [`Error::DictionaryLength`] of too few bytes or too many;
-    /// [`Error::DictionaryChecksum`] of damaged ones.
+    /// [`Error::DictionaryChecksum`] of damaged ones, and of what is no density for all its checksum.
     ///
     /// WGSL: none, [`Dictionary::nodes`] go into a buffer there.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
@@ -101,7 +101,15 @@ impl Dictionary<f32> {
         }
         let number = |at: &[u8]| at.try_into().map_or(0.0, f32::from_le_bytes);
         let nodes = bytes[HEADER..].chunks_exact(8).map(|b| [number(&b[..4]), number(&b[4..])]);
-        Ok(Self::from_nodes(recipe, nodes.collect()))
+        let nodes: Vec<_> = nodes.collect();
+        // A checksum may be forged, a density not.
+        let stride = recipe.intervals as usize + 1;
+        let sound = nodes.chunks_exact(stride).all(|table| {
+            let rising = table.is_sorted_by(|a, b| a[1] <= b[1]);
+            let ends = table[0][1] == 0.0 && table[stride - 1][1] == 0.5;
+            rising && ends && table.iter().all(|node| node[0] >= 0.0 && node[0].is_finite())
+        });
+        if sound { Ok(Self::from_nodes(recipe, nodes)) } else { Err(Error::DictionaryChecksum) }
     }
 }
 

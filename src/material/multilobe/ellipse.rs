@@ -64,7 +64,8 @@ impl<R: Real> Ellipse<R> {
     #[inline]
     pub(super) fn rows(&self, exponent: i32) -> Rows<R> {
         let inverse = R::power_of_two(-exponent);
-        let limit = R::power_of_two(21);
+        // Beyond what cells are made for, and below what indices hold.
+        let limit = R::power_of_two(if R::SINGLE { 21 } else { 29 });
         let centre = self.uv.map(|x| (x * inverse).max(-limit).min(limit) - R::HALF);
         let cell = Psd::with_root_det([R::ONE, R::ZERO, R::ONE], R::ONE);
         let square = self.square.scaled(inverse * inverse).plus(&cell);

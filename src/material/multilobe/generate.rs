@@ -45,7 +45,11 @@ pub(super) fn tables(recipe: &Recipe) -> Vec<[f64; 2]> {
 fn add(recipe: &Recipe, curve: &Curve, lobe: u32, strata: &mut [u32], sums: &mut [f64]) {
     let stride = recipe.intervals as usize + 1;
     let deviation = match recipe.means {
-        Means::Stratified => Real::sqrt(1.0 - recipe.width * recipe.width),
+        Means::Stratified => {
+            // What a lobe has, and a line between nodes.
+            let step = REACH / f64::from(recipe.intervals);
+            Real::sqrt(1.0 - recipe.width * recipe.width - step * step / 6.0)
+        }
         Means::Published => 1.0,
     };
     // From the last marginal on: each takes one of the strata that are left (Fisher & Yates).

@@ -13,10 +13,13 @@ use crate::scalar::Real;
 use crate::scalar::hash::tail;
 use crate::scalar::quantile::normal_quantile;
 use crate::slope::direction::{half_vector, slope_of};
-use crate::slope::{Footprint, Full, Roughness, SlopeMoments};
+use crate::slope::{Footprint, Full, MeanFrame, Roughness, SlopeMoments};
 
-/// Cells from the origin, 2^20, beyond which f32 has no fraction of a cell left that is worth a weight.
-const FARTHEST: i32 = 20;
+/// Cells from the origin, as a power of two, beyond which f32 has no fraction of a cell left that is worth a weight, and f64 no
+/// index.
+fn farthest<R: Real>() -> i32 {
+    if R::SINGLE { 20 } else { 28 }
+}
 
 /// The largest quantile that a cell may have.
 const QUANTILE: f64 = 6.5;
@@ -61,8 +64,10 @@ impl<'a, R: Real> PatchLobe<'a, R> {
     ) -> Self {
         let MultiLobe { roughness, density, variation, share, seed } = *material;
         let distance = ellipse.uv[0].abs().max(ellipse.uv[1].abs().max(R::ZERO));
-        let size =
-            ellipse.width.max(material.facet_size()).max(distance * R::power_of_two(-FARTHEST));
+        let size = ellipse
+            .width
+            .max(material.facet_size())
+            .max(distance * R::power_of_two(-farthest::<R>()));
         let size = size.max(R::power_of_two(-100)).min(R::power_of_two(100));
         let exponent = size.exponent();
         let ln_two = R::TWO.ln();
@@ -99,17 +104,20 @@ impl<'a, R: Real> PatchLobe<'a, R> {
         self.coarser
     }
 
-    /// Over a patch of a normal map: its covariance is added to the roughness, $\Sigma + \Sigma_{map}$.
+    /// Over a patch of a normal map: its covariance, seen from its mean, is added to the roughness, $\Sigma + J
+    /// \Sigma_{map} J^T$ ([`MeanFrame::moments`]).
     ///
-    /// The map's mean is the normal of the shading frame, in which all directions are given.
+    /// The map's mean is the normal of the frame in which all directions are given from here on: [`MeanFrame::of`] it
+    /// takes them there. Moments with mean 0 change no frame.
     ///
-    /// Source: Chermain et al. 2021, section 5.
+    /// Source: Chermain et al. 2021, section 5, who leave J out.
     ///
     /// WGSL: `lobe_patch_lobe_over`.
     #[must_use]
     #[inline]
     pub fn over(&self, moments: &SlopeMoments<R>) -> Self {
-        let roughness = self.roughness.plus(&Roughness::from_covariance(moments.covariance()));
+        let seen = MeanFrame::of(moments.mean()).moments(moments);
+        let roughness = self.roughness.plus(&Roughness::from_covariance(seen.covariance()));
         Self { roughness, ..*self }
     }
 
@@ -128,7 +136,7 @@ impl<'a, R: Real> PatchLobe<'a, R> {
     }
 
     /// Under the published filter of the same purpose: lookups in mips by the half vector's derivatives times `scale`,
-    /// $s_K$; they take the place of kernels.
+    /// $s_K$; they take the place of kernels, which count no more, whether given before or after.
     ///
     /// As published, the last level, which has no table, is not filtered.
     ///
@@ -165,7 +173,11 @@ impl<'a, R: Real> PatchLobe<'a, R> {
     /// WGSL: `lobe_patch_lobe_smooth`.
     #[inline]
     pub fn smooth(&self) -> Beckmann<Full<R>> {
-        Beckmann::new(Full::new(self.roughness.widened(&self.kernel)))
+        let widened = match self.mips {
+            Some(_) => self.roughness,
+            None => self.roughness.widened(&self.kernel),
+        };
+        Beckmann::new(Full::new(widened))
     }
 
     /// Density of slopes at a slope.
@@ -179,6 +191,7 @@ impl<'a, R: Real> PatchLobe<'a, R> {
         }
         let plane = Plane::new(&self.roughness, &self.kernel, self.mips);
         let at = plane.point(slope);
+        let plane = plane.around(at);
         let density = |facets: Option<Facets<R>>| {
             facets.map_or(smooth, |facets| plane.density(self.dictionary, at, &facets))
         };
@@ -294,7 +307,9 @@ impl<'a, R: Real> PatchLobe<'a, R> {
         let recipe = self.dictionary.recipe();
         let deviation = self.variation * normal_quantile(tail::<R>(level));
         let mean = self.facets + R::lit(f64::from(step));
-        let level = (mean + deviation + R::HALF).floor().max(0).unsigned_abs();
+        // Rounded by chance, with bits that the turn leaves: numbers between powers of 4 have their share of both.
+        let rounding = R::lit(f64::from(turn & 0xff)) * R::power_of_two(-8);
+        let level = (mean + deviation + rounding).floor().max(0).unsigned_abs();
         if level >= recipe.levels || tail::<R>(area) > self.share {
             return None;
         }

@@ -88,8 +88,8 @@ impl<'a, R: Real> Marginal<'a, R> {
 
     /// The density's mean over a box around `x`, `width` wide: exact, whatever the width. A negative one counts as 0.
     ///
-    /// By the cumulative where the box has whole intervals; where it has none, by the density itself, so that no
-    /// difference of nearly equal numbers is divided by a small width.
+    /// By the cumulative where the box has whole intervals; where it has none, by the density itself and its bend at a
+    /// node, so that no difference of nearly equal numbers is divided by a small width.
     ///
     /// Source: in place of Chermain et al. 2021, Eq. 19, whose hardware lookup is [`Marginal::mip_mean`].
     ///
@@ -104,16 +104,24 @@ impl<'a, R: Real> Marginal<'a, R> {
         if !(a < end) {
             return R::ZERO;
         }
-        let whole = b - a;
+        // Not b - a, which has lost digits of a narrow box.
+        let whole = R::TWO * half;
+        let inside = a >= -end && b <= end;
         let (a, b) = (a.max(-end), b.min(end));
+        let share = if inside { R::ONE } else { (b - a) / whole };
         let (first, last) = (self.interval(a), self.interval(b));
         if first == last {
-            let middle = self.within(first, R::HALF * (a + b));
-            // A box without a width has no part outside.
-            return if whole > R::ZERO { middle * ((b - a) / whole) } else { middle };
+            let middle = if inside { place } else { R::HALF * (a + b) };
+            return self.within(first, middle) * share;
         }
         let border = |k: i32| R::lit(f64::from(k));
         let (left, right) = (border(first + 1) - a, b - border(last));
+        if last == first + 1 {
+            // Around one node: its density, and what both slopes add, whatever the width.
+            let [before, here, after] = [first, last, last + 1].map(|k| self.node(k));
+            let bend = right * right * (after - here) - left * left * (here - before);
+            return (here * share + R::HALF * bend / whole).max(R::ZERO);
+        }
         let ends = left * self.within(first, R::HALF * (a + border(first + 1)))
             + right * self.within(last, R::HALF * (b + border(last)));
         let inner = (self.cumulative(last) - self.cumulative(first + 1)) * scale;

@@ -39,8 +39,11 @@ pub struct MultiLobe<R> {
 }
 
 impl<R: Real> MultiLobe<R> {
-    /// From the roughness from afar and the number of facets per unit area of the texture: published are logarithms of
-    /// it, from $e^{15}$, which glitters, to $e^{50}$, smooth.
+    /// From the roughness from afar and the number of facets per unit area of the texture, in the median of its cells:
+    /// published are logarithms of it, from $e^{15}$, which glitters, to $e^{50}$, smooth.
+    ///
+    /// Cells vary by powers of 4 ([`MultiLobe::with_variation`]), so that their mean is more: with a deviation of 2, 47 times
+    /// that.
     ///
     /// # Errors
     /// [`Error::Facets`] unless in $[10^{-18}, 10^{30}]$.
@@ -104,6 +107,9 @@ impl<R: Real> MultiLobe<R> {
     }
 
     /// What a pixel sees of it.
+    ///
+    /// Cells are no smaller than $2^{-20}$ of the coordinates' distance from the origin, in f64 $2^{-28}$: far away glints
+    /// get larger and fade. Coordinates of large surfaces should restart, each tile with a seed of its own. NaN counts as 0.
     ///
     /// WGSL: `lobe_multi_lobe_lobe`.
     #[inline]

@@ -16,6 +16,7 @@ mod generate;
 mod lobe;
 mod marginal;
 mod material;
+mod pieces;
 mod plane;
 mod recipe;
 mod sample;

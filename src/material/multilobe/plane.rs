@@ -3,9 +3,10 @@
 //! Floor 4.
 
 use super::dictionary::Dictionary;
+use super::pieces::Pieces;
 use crate::filter::Kernel;
-use crate::scalar::Real;
 use crate::scalar::hash::uniform;
+use crate::scalar::{Psd, Real};
 use crate::slope::{Footprint, Roughness};
 
 /// Slopes in deviations of a roughness, $M^{-1} s$, and what filters them there.
@@ -15,8 +16,7 @@ pub(super) struct Plane<R> {
     matrix: [R; 3],
     /// One over its determinant.
     density: R,
-    /// The kernel's covariance.
-    kernel: [R; 3],
+    pieces: Pieces<R>,
     /// Instead of it, derivatives for mips.
     mips: Option<[[R; 2]; 2]>,
 }
@@ -43,22 +43,20 @@ impl<R: Real> Plane<R> {
         let [[a, b], [_, c]] = roughness.chermain_matrix(R::ONE);
         let least = R::lit(LEAST);
         let (a, c) = (a.max(least), c.max(least));
-        // M^-1 K M^-T from its rows (1/a, -b/(a c)) and (0, 1/c).
-        let [xx, xy, yy] = kernel.covariance().entries();
-        let (yy, xy) = (yy / c / c, xy / c);
-        let (xx, xy) = ((xx - R::TWO * b * xy + b * b * yy) / a / a, (xy - b * yy) / a);
-        let kernel = [xx.max(R::ZERO), xy, yy];
-        let mut plane = Self { matrix: [a, b, c], density: R::ONE / (a * c), kernel, mips: None };
-        plane.mips = mips.map(|Footprint { u, v }| [u, v].map(|d| plane.point(d)));
-        plane
+        let matrix = [a, b, c];
+        let density = R::ONE / (a * c);
+        // M^-1 K M^-T by the columns of a root of K.
+        let [l, m, n] = kernel.covariance().cholesky();
+        let column = |v| deviations(matrix, v).map(|x| x.max(-R::LARGEST).min(R::LARGEST));
+        let kernel = Psd::outer_sum(column([l, m]), column([R::ZERO, n]));
+        let mips = mips.map(|Footprint { u, v }| [u, v].map(|d| deviations(matrix, d)));
+        Self { matrix, density, pieces: Pieces::of(&kernel), mips }
     }
 
     /// A slope in deviations.
     #[inline]
-    pub(super) fn point(&self, [x, y]: [R; 2]) -> [R; 2] {
-        let [a, b, c] = self.matrix;
-        let y = y / c;
-        [(x - b * y) / a, y]
+    pub(super) fn point(&self, slope: [R; 2]) -> [R; 2] {
+        deviations(self.matrix, slope)
     }
 
     /// The slope of a point in deviations.
@@ -68,16 +66,19 @@ impl<R: Real> Plane<R> {
         [a * x + b * y, c * y]
     }
 
-    /// Widths of the boxes along a cell's turned axes.
+    /// The kernel, around the middle.
     #[inline]
-    pub(super) fn widths(&self, [cos, sin]: [R; 2]) -> [R; 2] {
-        let [xx, xy, yy] = self.kernel;
-        let (cc, ss, cs) = (cos * cos, sin * sin, R::TWO * cos * sin);
-        let along = [cc * xx + cs * xy + ss * yy, ss * xx - cs * xy + cc * yy];
-        along.map(|variance| (R::lit(12.0) * variance.max(R::ZERO)).sqrt())
+    pub(super) fn pieces(&self) -> &Pieces<R> {
+        &self.pieces
     }
 
-    /// A cell's density of slopes at a point.
+    /// The same around a point, in deviations.
+    #[inline]
+    pub(super) fn around(&self, point: [R; 2]) -> Self {
+        Self { pieces: self.pieces.around(point), ..*self }
+    }
+
+    /// A cell's density of slopes at the point that the kernel is laid around.
     #[inline]
     pub(super) fn density(
         &self,
@@ -89,19 +90,31 @@ impl<R: Real> Plane<R> {
         let turned = |[x, y]: [R; 2]| [cos * x + sin * y, cos * y - sin * x];
         let [first, second] =
             facets.marginals.map(|index| dictionary.marginal(index, facets.level));
-        let [x, y] = turned([x, y]);
         if let Some(mips) = self.mips {
             let [u, v] = mips.map(turned);
             let [along, across] = [0, 1].map(|k| u[k].abs().max(v[k].abs()));
+            let [x, y] = turned([x, y]);
             return first.mip_mean(x, along) * second.mip_mean(y, across) * self.density;
         }
-        let [along, across] = self.widths(facets.turn);
-        let p = first.mean(x, along);
-        if !(p > R::ZERO) {
-            return R::ZERO;
+        let mut sum = R::ZERO;
+        for k in self.pieces.first..=self.pieces.last {
+            let piece = self.pieces.piece(k);
+            let [along, across] = piece.widths(facets.turn);
+            let [x, y] = turned([x + piece.offset[0], y + piece.offset[1]]);
+            let p = first.mean(x, along);
+            if p > R::ZERO {
+                sum = sum + piece.share * (p * second.mean(y, across));
+            }
         }
-        p * second.mean(y, across) * self.density
+        sum * self.density
     }
+}
+
+/// $M^{-1} s$, of the matrix's upper row and last entry.
+#[inline]
+fn deviations<R: Real>([a, b, c]: [R; 3], [x, y]: [R; 2]) -> [R; 2] {
+    let y = y / c;
+    [(x - b * y) / a, y]
 }
 
 /// $\tan(\pi u/4)/u$ in $u^2$, u from 0 to 1.

@@ -18,8 +18,9 @@ pub enum Means {
 
 /// How a [`Dictionary`](super::Dictionary) is made: sizes, lobes, seed.
 ///
-/// Time grows with marginals times $2^{levels}$, each of which is a lobe: a fraction of a second for the default's six
-/// million, minutes at the ends of the ranges. While it is made, a node takes 16 bytes beside its own.
+/// Time grows with marginals times $2^{levels}$, each of which is a lobe: about a second for the default's six
+/// million, minutes at the ends of the ranges. While it is made, a node takes 16 bytes beside its own 8 or 16: what has no
+/// room for that aborts, as any allocation does.
 ///
 /// ```
 /// use lobe::material::multilobe::{Dictionary, Recipe};

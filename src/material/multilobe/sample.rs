@@ -24,8 +24,9 @@ impl<R: Real> PatchLobe<'_, R> {
     /// A direction towards the light, drawn by the facets that `wo` sees.
     ///
     /// `u` are independent uniform numbers in [0, 1): one for the cell, two for its marginals, two for their boxes, one
-    /// for the side of the cavity. The slope is one of the density exactly, by the inverse of the cumulative; of a facet and
-    /// the one opposite one is taken, in proportion to how much is seen of it. None if `wo` lies below the horizon.
+    /// for the piece of the kernel, one for the side of the cavity. The slope is one of the density exactly, by the inverse of the cumulative; of a facet and
+    /// the one opposite one is taken, in proportion to how much is seen of it. None if `wo` lies below the horizon, and for
+    /// NaN.
     ///
     /// Under kernels, but without the lookups of [`PatchLobe::with_mips`], which are no density's.
     ///
@@ -39,7 +40,7 @@ impl<R: Real> PatchLobe<'_, R> {
     /// let sand = MultiLobe::new(Roughness::from_alpha(0.5)?, 1e6)?;
     /// let pixel = sand.lobe(&dictionary, &Patch::new([0.3, 0.7], [1e-3, 0.0], [0.0, 2e-3]));
     /// let wo = [0.6, 0.0, 0.8];
-    /// let drawn = pixel.sample(wo, [0.2, 0.9, 0.3, 0.5, 0.5, 0.7]).expect("above");
+    /// let drawn = pixel.sample(wo, [0.2, 0.9, 0.3, 0.5, 0.5, 0.1, 0.7]).expect("above");
     /// assert!(drawn.weight <= 1.0);
     /// let pdf = pixel.pdf(wo, drawn.wi);
     /// assert!((drawn.pdf - pdf).abs() <= 1e-9 * pdf);
@@ -47,7 +48,7 @@ impl<R: Real> PatchLobe<'_, R> {
     /// ```
     ///
     /// WGSL: none, sampling is not mirrored.
-    pub fn sample(&self, wo: impl Into<[R; 3]>, u: [R; 6]) -> Option<Sampled<R>> {
+    pub fn sample(&self, wo: impl Into<[R; 3]>, u: [R; 7]) -> Option<Sampled<R>> {
         let wo = wo.into();
         if !(wo[2] > R::ZERO) {
             return None;
@@ -55,8 +56,11 @@ impl<R: Real> PatchLobe<'_, R> {
         let m = normal_of(self.sample_slope(u));
         let opposite = [-m[0], -m[1], m[2]];
         let [seen, other] = [m, opposite].map(|m| dot(wo, m).max(R::ZERO));
-        let m = if u[5] * (seen + other) < seen { m } else { opposite };
+        let m = if u[6] * (seen + other) < seen { m } else { opposite };
         let wi = reflect(wo, m);
+        if !wi.iter().all(|x| x.is_finite()) {
+            return None;
+        }
         let weight = match cavity_masking(wo, m) {
             masking if masking > R::ZERO => cavity_masking_shadowing(wo, wi, m) / masking,
             _ => R::ZERO,
@@ -79,10 +83,10 @@ impl<R: Real> PatchLobe<'_, R> {
         }
     }
 
-    /// A slope of [`PatchLobe::slope_pdf`], by the first five of those numbers.
+    /// A slope of [`PatchLobe::slope_pdf`], by the first six of those numbers.
     ///
     /// WGSL: none, sampling is not mirrored.
-    pub fn sample_slope(&self, u: [R; 6]) -> [R; 2] {
+    pub fn sample_slope(&self, u: [R; 7]) -> [R; 2] {
         // The cell in which the sum of shares passes the first number.
         let (mut chosen, mut sum) = (None, R::ZERO);
         if !self.is_smooth() {
@@ -97,13 +101,15 @@ impl<R: Real> PatchLobe<'_, R> {
             return self.sample_smooth([u[1], u[2]]);
         };
         let plane = Plane::new(self.roughness(), self.kernel(), None);
-        let widths = plane.widths(facets.turn);
+        let piece = plane.pieces().piece_at(u[5]);
+        let widths = piece.widths(facets.turn);
         let [x, y] = [0, 1].map(|k| {
             let marginal = self.dictionary().marginal(facets.marginals[k], facets.level);
             marginal.quantile(u[1 + k]) + widths[k] * (u[3 + k] - R::HALF)
         });
         let [cos, sin] = facets.turn;
-        plane.slope([cos * x - sin * y, sin * x + cos * y])
+        let [p, q] = piece.offset;
+        plane.slope([cos * x - sin * y - p, sin * x + cos * y - q])
     }
 
     /// A slope of the smooth lobe, by two numbers.

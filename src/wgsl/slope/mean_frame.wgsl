@@ -25,6 +25,15 @@ fn lobe_mean_frame_to_local(frame: LobeMeanFrame, w: vec3f) -> vec3f {
     );
 }
 
+// Rust: `MeanFrame::to_tangent`. 0 for NaN.
+fn lobe_mean_frame_to_tangent(frame: LobeMeanFrame, w: vec3f) -> vec3f {
+    return vec3f(
+        lobe_defined(lobe_dot(vec3f(frame.right.x, frame.up.x, frame.normal.x), w)),
+        lobe_defined(lobe_dot(vec3f(frame.right.y, frame.up.y, frame.normal.y), w)),
+        lobe_defined(lobe_dot(vec3f(frame.right.z, frame.up.z, frame.normal.z), w))
+    );
+}
+
 // Rust: `MeanFrame::jacobian`. Columns first.
 fn lobe_mean_frame_jacobian(frame: LobeMeanFrame) -> mat2x2f {
     let c = frame.normal.z;

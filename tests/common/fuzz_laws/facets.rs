@@ -67,7 +67,7 @@ fn any<R: Real>(input: &mut Bytes) {
     let widened = pixel.widened(&Kernel::of(&footprint, PixelFilter::BOX));
     let published = pixel.with_mips(&footprint, R::HALF);
     let (wo, wi) = (normalize(input.triple::<R>()), normalize(input.triple::<R>()));
-    let numbers = [0; 6].map(|_| R::lit(input.between(0.0, 1.0 - 1e-9)));
+    let numbers = [0; 7].map(|_| R::lit(input.between(0.0, 1.0 - 1e-9)));
     for pixel in [pixel, widened, published] {
         seen(&pixel, wo, wi, input.pair());
     }

@@ -52,6 +52,11 @@ pub(crate) mod name {
     pub(crate) const MEAN: &str = "mean normal";
     pub(crate) const APART: &str = "LEAN without \u{3c1}";
     pub(crate) const WHOLE: &str = "LEAN with \u{3c1}";
+    pub(crate) const APART_NONE: &str = "without \u{3c1}, none";
+    pub(crate) const APART_HALF: &str = "without \u{3c1}, mips, s_K 0.5, disk";
+    pub(crate) const APART_ONE: &str = "without \u{3c1}, mips, s_K 1, disk";
+    pub(crate) const APART_HALF_SLOPE: &str = "without \u{3c1}, mips, s_K 0.5, slope";
+    pub(crate) const APART_ONE_SLOPE: &str = "without \u{3c1}, mips, s_K 1, slope";
     pub(crate) const WHOLE_NONE: &str = "with \u{3c1}, none";
     pub(crate) const WHOLE_HALF: &str = "with \u{3c1}, mips, s_K 0.5, disk";
     pub(crate) const WHOLE_ONE: &str = "with \u{3c1}, mips, s_K 1, disk";
@@ -84,10 +89,15 @@ pub(super) const FILTERS: [Method; 9] = [
     sampled(name::SIXTEEN, 4),
 ];
 
-/// On the ball with its normal map: what is known of that, then filters where all is.
-pub(super) const MAPPINGS: [Method; 10] = [
+/// On the ball with its normal map: what is known of that, and filters with and without its correlation.
+pub(super) const MAPPINGS: [Method; 15] = [
     mapped(name::MEAN, Normals::Mean, Filter::Box(Derivatives::Disk)),
     mapped(name::APART, Normals::Apart, Filter::Box(Derivatives::Disk)),
+    mapped(name::APART_NONE, Normals::Apart, Filter::None),
+    mapped(name::APART_HALF, Normals::Apart, Filter::Mips(0.5, Derivatives::Disk)),
+    mapped(name::APART_ONE, Normals::Apart, Filter::Mips(1.0, Derivatives::Disk)),
+    mapped(name::APART_HALF_SLOPE, Normals::Apart, Filter::Mips(0.5, Derivatives::Slope)),
+    mapped(name::APART_ONE_SLOPE, Normals::Apart, Filter::Mips(1.0, Derivatives::Slope)),
     mapped(name::WHOLE, Normals::Whole, Filter::Box(Derivatives::Disk)),
     mapped(name::WHOLE_NONE, Normals::Whole, Filter::None),
     mapped(name::WHOLE_HALF, Normals::Whole, Filter::Mips(0.5, Derivatives::Disk)),

@@ -41,7 +41,7 @@ fn stage(width: usize, body: Body, lights: &[Vector<f64>], fibres: Option<Fibres
     let distance = FAR * width as f64;
     let lights = lights.iter().map(|&light| normalize(light)).collect();
     let camera = Camera::looking(size, [0.0, -distance, 0.0], [0.0; 3], distance);
-    Stage { size, camera, body, lights, fibres }
+    Stage { size, camera, body, lights, fibres, unit: 1.0 }
 }
 
 fn setting(plan: &Plan, alpha: f64, facets: f64) -> Setting {

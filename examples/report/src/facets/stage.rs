@@ -34,6 +34,8 @@ pub(super) struct Stage {
     /// Unit directions.
     pub(super) lights: Vec<Vector<f64>>,
     pub(super) fibres: Option<Fibres>,
+    /// Texture coordinates of a pixel's length on the body.
+    pub(super) unit: f64,
 }
 
 /// A point of the picture on the body.
@@ -103,7 +105,8 @@ impl Stage {
         let [right, up] = steps.map(|step| hit.gradients.map(|gradient| dot(gradient, step)));
         let frame = Frame::around(hit.normal, hit.tangent);
         let wo = frame.to_local(normalize(scaled(-1.0, ray.direction)));
-        Some(Place { frame, wo, patch: Patch::new(hit.uv, right, up) })
+        let [uv, right, up] = [hit.uv, right, up].map(|v| v.map(|x| self.unit * x));
+        Some(Place { frame, wo, patch: Patch::new(uv, right, up) })
     }
 
     /// The frame about the map's mean slope, and what is known of slopes about it.

@@ -59,8 +59,9 @@ impl Frame {
     fn of(size: Size, step: u32, side: u32) -> Result<Self, Error> {
         let radius = LAST * size.width as f64 * f64::from(1 << (STEPS - 1 - step));
         let facets = FIRST * 4.0_f64.powi(step.try_into().unwrap_or(0));
-        let stage = stage(size, radius);
-        let surface = Surface::new(ALPHA, facets)?;
+        // One surface: its coordinates stay, and pixels grow.
+        let stage = Stage { unit: f64::from(1 << step), ..stage(size, radius) };
+        let surface = Surface::new(ALPHA, FIRST)?;
         let Reference { radiance, judged, .. } = Reference::of(&stage, &surface, side);
         let scale = scale(&radiance, &judged);
         let shown = [Filter::None, Filter::Box(Derivatives::Disk)].map(|filter| {
@@ -90,5 +91,6 @@ fn stage(size: Size, radius: f64) -> Stage {
         body: Body::ball(radius),
         lights: vec![light],
         fibres: None,
+        unit: 1.0,
     }
 }

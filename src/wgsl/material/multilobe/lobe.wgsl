@@ -27,7 +27,8 @@ struct LobePatchTerms {
 // Rust: `PatchLobe::over`.
 fn lobe_patch_lobe_over(lobe: LobePatchLobe, moments: LobeSlopeMoments) -> LobePatchLobe {
     var over = lobe;
-    over.roughness = lobe_roughness_plus(lobe.roughness, lobe_roughness_from_covariance(moments.covariance));
+    let seen = lobe_mean_frame_moments(lobe_mean_frame_of(moments.mean), moments);
+    over.roughness = lobe_roughness_plus(lobe.roughness, lobe_roughness_from_covariance(seen.covariance));
     return over;
 }
 
@@ -51,7 +52,8 @@ fn lobe_patch_lobe_slope_pdf(lobe: LobePatchLobe, slope: vec2f) -> f32 {
         return smoothed;
     }
     let plane = lobe_plane_new(lobe.roughness, lobe.spread);
-    let terms = LobePatchTerms(plane, lobe_plane_point(plane, slope), smoothed);
+    let at = lobe_plane_point(plane, slope);
+    let terms = LobePatchTerms(lobe_plane_around(plane, at), at, smoothed);
     var mean = 0.0;
     for (var step = 0; step < 2; step++) {
         let share = select(1.0 - lobe.coarser, lobe.coarser, step == 1);
@@ -129,7 +131,8 @@ fn lobe_patch_lobe_cell(lobe: LobePatchLobe, terms: LobePatchTerms, facets: Lobe
 fn lobe_patch_lobe_numbers(lobe: LobePatchLobe, cell: LobeCell, step: i32) -> LobeFacets {
     let words = cell.words;
     let deviation = lobe.variation * lobe_normal_quantile(lobe_hash_tail(words.y));
-    let drawn = lobe_floor(lobe.facets + f32(step) + deviation + 0.5);
+    let rounding = f32(words.z & 0xffu) * 0.00390625;
+    let drawn = lobe_floor(lobe.facets + f32(step) + deviation + rounding);
     let level = select(0, drawn, drawn > 0);
     if level >= i32(lobe.dictionary.levels) || lobe_hash_tail(words.x) > lobe.share {
         return LobeFacets(-1, vec2f(0.0, 0.0), vec2u(0u, 0u));

@@ -42,17 +42,25 @@ fn lobe_marginal_mean(marginal: LobeMarginal, x: f32, width: f32) -> f32 {
     if !(a < end) {
         return 0.0;
     }
-    let whole = b - a;
+    let whole = 2.0 * half;
+    let inside = a >= -end && b <= end;
     let low = lobe_max(a, -end);
     let high = lobe_min(b, end);
+    let share = select((high - low) / whole, 1.0, inside);
     let first = lobe_marginal_interval(marginal, low);
     let last = lobe_marginal_interval(marginal, high);
     if first == last {
-        let middle = lobe_marginal_within(marginal, first, 0.5 * (low + high));
-        return select(middle, lobe_defined(middle * ((high - low) / whole)), whole > 0.0);
+        return lobe_defined(lobe_marginal_within(marginal, first, select(0.5 * (low + high), place, inside)) * share);
     }
     let after = f32(first + 1);
     let before = f32(last);
+    if last == first + 1 {
+        let f = lobe_marginal_node(marginal, first).x;
+        let g = lobe_marginal_node(marginal, last).x;
+        let h = lobe_marginal_node(marginal, last + 1).x;
+        let bend = (high - before) * (high - before) * (h - g) - (after - low) * (after - low) * (g - f);
+        return lobe_max(g * share + 0.5 * bend / whole, 0.0);
+    }
     let left = (after - low) * lobe_marginal_within(marginal, first, 0.5 * (low + after));
     let right = (high - before) * lobe_marginal_within(marginal, last, 0.5 * (high + before));
     let cumulative =

@@ -1,6 +1,6 @@
 // A surface of many facets: their slopes from afar, and how many there are. Rust: src/material/multilobe/material.rs.
 
-// WGSL only: `FARTHEST` of `PatchLobe::new`.
+// WGSL only: `farthest` of single precision.
 const LOBE_MULTI_LOBE_FARTHEST: i32 = 20;
 
 // Rust: `MultiLobe`. The variation lies in [0, 4], the share in [0, 1]; the seed may be any.

@@ -9,7 +9,7 @@ const LOBE_PLANE_HALF_TURN = array<f32, 5>(0.7854006, 0.16136818, 0.040797774, 7
 struct LobePlane {
     mapping: vec3f,
     density: f32,
-    spread: vec3f,
+    pieces: LobePieces,
 }
 
 // Rust: `Facets`. A level of -1 is none, the smooth lobe.
@@ -25,31 +25,21 @@ fn lobe_plane_new(roughness: LobeRoughness, kernel: LobeKernel) -> LobePlane {
     let a = lobe_max(m[0][0], LOBE_PLANE_LEAST);
     let b = m[1][0];
     let c = lobe_max(m[1][1], LOBE_PLANE_LEAST);
-    let psd = kernel.covariance;
-    let yy = psd.yy / c / c;
-    let along = psd.xy / c;
-    let xx = (psd.xx - 2.0 * b * along + b * b * yy) / a / a;
-    let xy = (along - b * yy) / a;
-    return LobePlane(
-        vec3f(a, b, c), lobe_defined(1.0 / (a * c)), vec3f(lobe_max(xx, 0.0), lobe_defined(xy), lobe_defined(yy))
-    );
+    let mapping = vec3f(a, b, c);
+    let root = lobe_psd_cholesky(kernel.covariance);
+    let u = lobe_both_within(lobe_plane_deviations(mapping, vec2f(root.x, root.y)), LOBE_LARGEST);
+    let v = lobe_both_within(lobe_plane_deviations(mapping, vec2f(0.0, root.z)), LOBE_LARGEST);
+    return LobePlane(mapping, lobe_defined(1.0 / (a * c)), lobe_pieces_of(lobe_psd_outer_sum(u, v)));
 }
 
 // Rust: `Plane::point`.
 fn lobe_plane_point(plane: LobePlane, slope: vec2f) -> vec2f {
-    let y = slope.y / plane.mapping.z;
-    return vec2f((slope.x - plane.mapping.y * y) / plane.mapping.x, y);
+    return lobe_plane_deviations(plane.mapping, slope);
 }
 
-// Rust: `Plane::widths`.
-fn lobe_plane_widths(plane: LobePlane, turn: vec2f) -> vec2f {
-    let k = plane.spread;
-    let cc = turn.x * turn.x;
-    let ss = turn.y * turn.y;
-    let cs = 2.0 * turn.x * turn.y;
-    let along = cc * k.x + cs * k.y + ss * k.z;
-    let across = ss * k.x - cs * k.y + cc * k.z;
-    return vec2f(sqrt(12.0 * lobe_max(along, 0.0)), sqrt(12.0 * lobe_max(across, 0.0)));
+// Rust: `Plane::around`.
+fn lobe_plane_around(plane: LobePlane, place: vec2f) -> LobePlane {
+    return LobePlane(plane.mapping, plane.density, lobe_pieces_around(plane.pieces, place));
 }
 
 // Rust: `Plane::density`.
@@ -59,15 +49,30 @@ fn lobe_plane_density(
     let level = u32(facets.level);
     let cosine = facets.turn.x;
     let sine = facets.turn.y;
-    let x = cosine * at.x + sine * at.y;
-    let y = cosine * at.y - sine * at.x;
-    let widths = lobe_plane_widths(plane, facets.turn);
-    let p = lobe_marginal_mean(lobe_dictionary_marginal(dictionary, facets.marginals.x, level), x, widths.x);
-    if !(p > 0.0) {
-        return 0.0;
+    let along = lobe_dictionary_marginal(dictionary, facets.marginals.x, level);
+    let across = lobe_dictionary_marginal(dictionary, facets.marginals.y, level);
+    var sum = 0.0;
+    for (var j = 0; j < LOBE_PIECES_MOST; j++) {
+        let k = plane.pieces.first + j;
+        if k > plane.pieces.last {
+            break;
+        }
+        let piece = lobe_pieces_piece(plane.pieces, k);
+        let widths = lobe_pieces_widths(piece, facets.turn);
+        let x = at.x + piece.offset.x;
+        let y = at.y + piece.offset.y;
+        let p = lobe_marginal_mean(along, cosine * x + sine * y, widths.x);
+        if p > 0.0 {
+            sum = sum + piece.share * (p * lobe_marginal_mean(across, cosine * y - sine * x, widths.y));
+        }
     }
-    let q = lobe_marginal_mean(lobe_dictionary_marginal(dictionary, facets.marginals.y, level), y, widths.y);
-    return p * q * plane.density;
+    return sum * plane.density;
+}
+
+// Rust: `deviations`.
+fn lobe_plane_deviations(mapping: vec3f, slope: vec2f) -> vec2f {
+    let y = slope.y / mapping.z;
+    return vec2f((slope.x - mapping.y * y) / mapping.x, y);
 }
 
 // Rust: `quarter_turn`.

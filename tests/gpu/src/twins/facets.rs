@@ -65,6 +65,10 @@ super::twins! {
         let frame = MeanFrame::of(x.vec::<R, 2>());
         frame.to_local(x.vec::<R, 3>())
     };
+    "mean_frame_to_tangent" (Mean, Direction) "lobe_mean_frame_to_tangent(lobe_mean_frame_of($0), $1)" => |x| {
+        let frame = MeanFrame::of(x.vec::<R, 2>());
+        frame.to_tangent(x.vec::<R, 3>())
+    };
     "mean_frame_jacobian" (Mean) "lobe_mean_frame_jacobian(lobe_mean_frame_of($0))" => |x| {
         MeanFrame::of(x.vec::<R, 2>()).jacobian()
     };
@@ -109,7 +113,7 @@ super::twins! {
         let pixel = pixel::<R>(x);
         pixel.over(&moments(x)).slope_pdf(x.vec::<R, 2>())
     };
-    "patch_lobe_widened" flips LEVELS (Facets, Patch, Kernel, Slope)
+    "patch_lobe_widened" flips LEVELS (Facets, Patch, Blurring, Slope)
         "lobe_patch_lobe_slope_pdf(lobe_patch_lobe_widened(patched($0, $1), $2), $3)"
         => |x| {
         let pixel = pixel::<R>(x);
@@ -132,7 +136,7 @@ super::twins! {
         let pixel = pixel::<R>(x);
         pixel.d(x.vec::<R, 3>())
     };
-    "patch_lobe_brdf" flips LEVELS (Facets, Patch, Kernel, Mirrored)
+    "patch_lobe_brdf" flips LEVELS (Facets, Patch, Blurring, Mirrored)
         "lobe_patch_lobe_brdf(lobe_patch_lobe_widened(patched($0, $1), $2), $3)"
         => |x| {
         let pixel = pixel::<R>(x);
@@ -141,7 +145,7 @@ super::twins! {
     };
     "patch_lobe_evaluate" flips LEVELS (Facets, Patch, Tilt, Relief, Mirrored, Reflectance)
         "lobe_patch_lobe_evaluate(
-            lobe_patch_lobe_over(patched($0, $1), lobe_mean_frame_moments(lobe_mean_frame_of($2), lobe_slope_moments_new($2, $3))),
+            lobe_patch_lobe_over(patched($0, $1), lobe_slope_moments_new($2, $3)),
             lobe_mean_frame_of($2), $4, lobe_fresnel_schlick($5, lobe_half_cosine($4)))" => |x| {
         let (facets, patch) = (x.facets::<R>(), x.patch());
         let moments = moments(x);

@@ -68,6 +68,13 @@ pub(super) fn draw(input: Input, s: &mut Source, drawn: &mut Drawn, out: &mut Ve
             let [x, y] = [alpha(), alpha()];
             out.extend(Ellipse { x, y, rho: s.uniform(-0.6, 0.6) }.entries_single());
         }
+        Input::Blurring => {
+            let lobe = drawn.lobe.expect("a lobe before its kernel");
+            // Large ones are cut in pieces, whose ends move against each other: what a bound adds up, a sum does not.
+            let most = if s.pick(8) == 0 { 3.0 } else { 0.05 };
+            let mut side = || lobe.slope_at(s.vector(1e-3, most));
+            put(&[side(), side()].concat());
+        }
         Input::Marginal => out.extend([60, 10].map(|most| f32::from_bits(s.pick(most) as u32))),
         Input::Patch => put(&patch(s)),
         Input::Factors => {

@@ -117,6 +117,8 @@ pub enum Input {
     Tilt,
     /// A covariance that leaves no lobe sharp.
     Relief,
+    /// A kernel of any size up to some deviations of the lobe drawn before it.
+    Blurring,
     /// The number of a marginal and its level, now and then beyond the last.
     Marginal,
 }
@@ -155,7 +157,12 @@ impl Input {
             | Self::Roughness
             | Self::Relief
             | Self::Half => 3,
-            Self::Footprint | Self::Kernel | Self::Matrix | Self::Node | Self::Biscale => 4,
+            Self::Footprint
+            | Self::Kernel
+            | Self::Blurring
+            | Self::Matrix
+            | Self::Node
+            | Self::Biscale => 4,
             Self::Lobe => 5,
             Self::Facets => 7,
             Self::Pair | Self::Unorm | Self::Patch | Self::Mirrored => 6,
@@ -182,7 +189,7 @@ impl Input {
                 format!("lobe_new({}, lobe_roughness_from_matrix({}))", pair(3), psd(0))
             }
             Self::Footprint => format!("lobe_footprint_from_slopes({}, {})", pair(0), pair(2)),
-            Self::Kernel => {
+            Self::Kernel | Self::Blurring => {
                 let outer = format!("lobe_psd_outer_sum({}, {})", pair(0), pair(2));
                 format!("lobe_kernel_from_covariance({outer})")
             }

@@ -35,12 +35,14 @@ pub(super) fn tube(trial: &Trial) -> String {
     let published = if half < one && one < none { "as published" } else { "not as published" };
     let of = |name: &str| {
         let overhead = trial.entry(name).and_then(|entry| trial.overhead(entry));
-        overhead.map_or(String::new(), percent)
+        overhead.map_or(String::new(), |share| {
+            format!("{:+.0} %", 100.0 * share).replace('-', "\u{2212}")
+        })
     };
     format!(
         "A tube of {RADIUS} pixels radius, bent to a ring, under two lights; {} RMSE in means: {}, {published}, {}; and {}. \
-         Derivatives, of which the paper finds those on the disk nearer: with s_K 0.5 {}, with s_K 1 {}, with the box {}. The box \
-         takes {} more time than none, mips in software {}.",
+         Derivatives, of which the paper finds those on the disk nearer: with s_K 0.5 {}, with s_K 1 {}, with the box {}. Time over \
+         that of none: the box {}, mips in software {}.",
         facts(trial),
         order(trial, &[name::HALF, name::ONE, name::NONE]),
         nearer(trial, [name::HALF, name::ONE], ["s_K 0.5 before 1", "s_K 1 before 0.5"]),
@@ -103,6 +105,16 @@ const FILTERED: [&str; 6] = [
     name::WHOLE_ONE_SLOPE,
 ];
 
+/// The same without its correlation.
+const UNCORRELATED: [&str; 6] = [
+    name::APART,
+    name::APART_NONE,
+    name::APART_HALF,
+    name::APART_ONE,
+    name::APART_HALF_SLOPE,
+    name::APART_ONE_SLOPE,
+];
+
 /// What correlation is worth.
 pub(super) fn ball(trial: &Trial) -> String {
     let [apart, whole] = [name::APART, name::WHOLE].map(|name| trial.rmse(name));
@@ -110,12 +122,13 @@ pub(super) fn ball(trial: &Trial) -> String {
     format!(
         "A ball with wood fibre, {TEXELS} texels a pixel in the middle, laid on {ASKEW} degrees askew, as along its own axes \
          fibres have no correlation; {} RMSE in means: {}. With \u{3c1} the error is {} {worth} than without. Filters of half \
-         vectors, with \u{3c1}: {}; between s_K 0.5 and 1 the nearer is {}, between the box and none {}. 4 samples come to {}, \
+         vectors: {}; and {}; with \u{3c1}, between s_K 0.5 and 1 the nearer is {}, between the box and none {}. 4 samples come to {}, \
          16 to {}.",
         facts(trial),
         order(trial, &[name::MEAN, name::APART, name::WHOLE]),
         percent((1.0 - whole / apart).abs()),
         order(trial, &FILTERED),
+        order(trial, &UNCORRELATED),
         nearer(trial, [name::WHOLE_HALF, name::WHOLE_ONE], ["0.5", "1"]),
         nearer(trial, [name::WHOLE, name::WHOLE_NONE], ["the box", "none"]),
         significant(trial.rmse(name::FOUR)),

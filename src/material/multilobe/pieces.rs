@@ -1,0 +1,114 @@
+//! A kernel in pieces: what a product of two boxes, turned by anything, can stand for.
+//!
+//! Floor 4.
+
+use crate::scalar::{Psd, Real};
+
+/// Longest piece, in deviations of the lobe, or the kernel's width where that is more.
+///
+/// A long box becomes a square one where it is a product along other axes: of its variance a quarter goes across, in the
+/// mean over turns. Of a piece as long as this that is 4.7 % of the lobe's own variance at most.
+const LONGEST: f64 = 1.5;
+
+/// How far from the middle a piece's centre may be to meet a table, turned by anything: half its diagonal, $4 \sqrt 2$, and
+/// that of a piece.
+const REACH: f64 = 5.657;
+const HALF_DIAGONAL: f64 = 0.7072;
+
+/// Pieces that may meet one, at most.
+const PIECES: i32 = 12;
+
+/// A kernel in deviations: a rectangle of its covariance, cut along its long side, the middle piece around the middle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pieces<R> {
+    /// Along the long side.
+    axis: [R; 2],
+    /// Sides of the rectangle, and the longest piece.
+    length: R,
+    width: R,
+    longest: R,
+    /// The pieces that may meet a table.
+    pub(super) first: i32,
+    pub(super) last: i32,
+}
+
+/// One of them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece<R> {
+    /// From the rectangle's middle.
+    pub(super) offset: [R; 2],
+    /// Of the whole.
+    pub(super) share: R,
+    /// The square of its side across the axis, and by how much that along it is more.
+    square: R,
+    more: R,
+    axis: [R; 2],
+}
+
+impl<R: Real> Pieces<R> {
+    /// Of a kernel's covariance, around the middle.
+    #[inline]
+    pub(super) fn of(kernel: &Psd<R>) -> Self {
+        let eigen = kernel.eigen();
+        let side = |variance: R| (R::lit(12.0) * variance).sqrt();
+        let (length, width) = (side(eigen.major), side(eigen.minor));
+        let longest = width.max(R::lit(LONGEST));
+        // The last one begins before the end.
+        let last = (R::HALF * length / longest + R::HALF).floor();
+        Self { axis: eigen.axis, length, width, longest, first: -last, last }
+    }
+
+    /// Around a point: the pieces near enough to the tables.
+    #[inline]
+    pub(super) fn around(&self, [x, y]: [R; 2]) -> Self {
+        let along = self.axis[0] * x + self.axis[1] * y;
+        let reach = (R::lit(REACH) + R::lit(HALF_DIAGONAL) * self.longest) / self.longest + R::HALF;
+        let middle = along / self.longest;
+        let first = -((reach + middle).floor());
+        let last = (reach - middle).floor();
+        let first = first.max(self.first);
+        Self { first, last: last.min(self.last).min(first + PIECES - 1), ..*self }
+    }
+
+    /// A piece by its number, 0 in the middle.
+    #[inline]
+    pub(super) fn piece(&self, k: i32) -> Piece<R> {
+        let (centre, long) = if k == 0 {
+            (R::ZERO, self.longest.min(self.length))
+        } else {
+            // On one side of the middle, then on the other.
+            let number = R::lit(f64::from(k.abs()));
+            let low = (number - R::HALF) * self.longest;
+            let high = ((number + R::HALF) * self.longest).min(R::HALF * self.length);
+            let centre = R::HALF * (low + high);
+            (if k < 0 { -centre } else { centre }, (high - low).max(R::ZERO))
+        };
+        let square = self.width * self.width;
+        let share = if self.length > self.longest { long / self.length } else { R::ONE };
+        Piece {
+            offset: self.axis.map(|c| c * centre),
+            share,
+            square,
+            more: long * long - square,
+            axis: self.axis,
+        }
+    }
+
+    /// The piece at a place of the long side, from 0 to 1.
+    pub(super) fn piece_at(&self, u: R) -> Piece<R> {
+        let place = (u - R::HALF) * self.length / self.longest + R::HALF;
+        self.piece(place.floor().max(self.first).min(self.last))
+    }
+}
+
+impl<R: Real> Piece<R> {
+    /// Sides of the box along axes with this cosine and sine: their variances are the piece's.
+    #[inline]
+    pub(super) fn widths(&self, [cos, sin]: [R; 2]) -> [R; 2] {
+        // Cosine and sine between the axes.
+        let c = self.axis[0] * cos + self.axis[1] * sin;
+        let s = self.axis[1] * cos - self.axis[0] * sin;
+        // What both sides share needs no axis, which nearly square pieces hardly have.
+        [c, s].map(|c| (self.square + c * c * self.more).max(R::ZERO).sqrt())
+    }
+}
