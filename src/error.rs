@@ -86,7 +86,7 @@ pub enum Error {
     Share,
     /// The number of facets per unit area is outside `[1e-18, 1e30]` or NaN.
     Facets,
-    /// A size or the lobes' width of a recipe for a dictionary is out of range.
+    /// A size, the means or the lobes' width of a recipe for a dictionary is out of range.
     Recipe,
     /// Bytes are not a dictionary's.
     DictionaryMagic,
@@ -96,6 +96,8 @@ pub enum Error {
     DictionaryLength,
     /// Bytes of a dictionary are damaged.
     DictionaryChecksum,
+    /// Bytes of a dictionary are undamaged, and hold what are no densities.
+    DictionaryDensity,
 }
 
 impl fmt::Display for Error {
@@ -139,12 +141,13 @@ impl fmt::Display for Error {
             Self::Facets => "density of facets must lie in [1e-18, 1e30]",
             Self::Recipe => {
                 "a recipe needs 1 to 65536 marginals, 1 to 20 levels, intervals of a power of two from 8 to 4096, \
-                 and a width from 2/intervals to 0.5"
+                 a width from 2/intervals to 0.5, and means that it knows"
             }
             Self::DictionaryMagic => "not the bytes of a dictionary",
             Self::DictionaryVersion => "bytes of a dictionary have another version than 1",
             Self::DictionaryLength => "bytes of a dictionary must be as many as its header says",
             Self::DictionaryChecksum => "bytes of a dictionary are damaged: their checksum differs",
+            Self::DictionaryDensity => "nodes of a dictionary must be densities with an integral of 1",
         })
     }
 }

@@ -1,33 +1,14 @@
-//! Dictionaries of marginals: their integrals, nesting, bias, filters, cumulatives and bytes (laws C1, C2, C12 and the figures of
+//! Dictionaries of marginals: their integrals, nesting, bias and variance, and how they are made (laws C1, C2, and the figures of
 //! the specification).
 #![cfg(feature = "glint")]
 
-mod common;
+#[path = "common/marginals.rs"]
+mod marginals;
 
-use common::{check, ensure, near};
 use lobe::Error;
-use lobe::material::multilobe::{Dictionary, Marginal, Means, Recipe};
+use lobe::material::multilobe::{Dictionary, Means, Recipe};
+use marginals::{all, integral, small};
 use std::time::Instant;
-
-/// A small one with all that a large one has.
-fn small(means: Means) -> Dictionary<f64> {
-    Dictionary::new(&Recipe { marginals: 24, levels: 9, means, ..Recipe::default() })
-        .expect("valid")
-}
-
-/// Integral by the trapezoid rule over the nodes, exact for what is linear between them.
-fn integral(f: impl Fn(f64) -> f64, intervals: i32) -> f64 {
-    let step = 4.0 / f64::from(intervals);
-    let nodes = -intervals..=intervals;
-    let inner: f64 = nodes.map(|k| f(f64::from(k) * step)).sum();
-    step * (inner - 0.5 * (f(-4.0) + f(4.0)))
-}
-
-fn all(dictionary: &Dictionary<f64>) -> impl Iterator<Item = (u32, u32, Marginal<'_, f64>)> {
-    let Recipe { marginals, levels, .. } = *dictionary.recipe();
-    let pairs = (0..marginals).flat_map(move |i| (0..levels).map(move |level| (i, level)));
-    pairs.map(|(i, level)| (i, level, dictionary.marginal(i, level)))
-}
 
 /// Law C1: every density integrates to 1, is even and not negative; in f32 to 1e-6.
 #[test]
@@ -53,20 +34,76 @@ fn every_marginal_is_a_density() {
     }
 }
 
-/// Law C2: level L is the mean of level L - 1 and of as many new lobes, so half of it is never more than the next.
+/// Law C2: level L has the first lobes of all that come after it: the same table, whatever the last level is.
 #[test]
 fn levels_are_nested() {
     let dictionary = small(Means::Stratified);
+    for levels in [1, 4, 8] {
+        let fewer = Recipe { levels, ..*dictionary.recipe() };
+        let fewer = Dictionary::<f64>::new(&fewer).expect("valid");
+        for (i, level, marginal) in all(&fewer) {
+            assert_eq!(marginal, dictionary.marginal(i, level), "{i} {level} of {levels}");
+        }
+    }
     for (i, level, marginal) in all(&dictionary) {
         if level + 1 < dictionary.recipe().levels {
             let next = dictionary.marginal(i, level + 1);
             for k in 0..=64 {
                 let x = f64::from(k) / 16.0;
-                // Tables are normalised each by itself: a lobe that reaches past the end, or is cut by nodes, has another mass.
+                // Half of it is never more than the next; but tables are normalised each by itself: a lobe that reaches past
+                // the end, or is cut by nodes, has another mass.
                 assert!(2.0 * next.density(x) >= 0.97 * marginal.density(x), "{i} {level} {x}");
             }
         }
     }
+}
+
+/// The first level is one lobe and its mirror, of the width that was asked for; the second level less half of that is another.
+#[test]
+fn levels_are_sums_of_lobes() {
+    let dictionary = small(Means::Stratified);
+    let width = dictionary.recipe().width;
+    let pair = |x: f64, mean: f64| {
+        let lobe = |d: f64| (-0.5 * d * d / (width * width)).exp();
+        (lobe(x - mean) + lobe(x + mean)) / (2.0 * width * std::f64::consts::TAU.sqrt())
+    };
+    let mut means = Vec::new();
+    for i in 0..24 {
+        let [first, second] = [0, 1].map(|level| dictionary.marginal(i, level));
+        let new = |x: f64| 2.0 * second.density(x) - first.density(x);
+        let old = |x: f64| first.density(x);
+        let both: [&dyn Fn(f64) -> f64; 2] = [&old, &new];
+        for of in both {
+            // Away from 0 and the end a lobe's own moment is its mean.
+            let step = 1.0 / 16.0;
+            let sum = |power: i32| -> f64 {
+                (0..=64)
+                    .map(|k| step * f64::from(k))
+                    .map(|x| 2.0 * step * of(x) * x.powi(power))
+                    .sum()
+            };
+            let (mass, mean) = (sum(0), sum(1));
+            if mean > 0.3 && mean < 3.6 {
+                assert!((mass - 1.0).abs() < 0.02, "{i}: {mass}");
+                let mean = mean / mass;
+                for k in 0..=64 {
+                    let x = step * f64::from(k);
+                    // Of lobes of 0.9 of an interval sums over nodes err by 2 %, of which means take their part.
+                    let want = pair(x, mean);
+                    assert!(
+                        (of(x) - want).abs() < 0.05 * pair(mean, mean),
+                        "{i} at {x}: {}, want {want}",
+                        of(x)
+                    );
+                }
+                means.push(mean);
+            }
+        }
+    }
+    // Of 48 lobes some are too near to the ends.
+    assert!(means.len() > 24, "{}", means.len());
+    means.sort_by(f64::total_cmp);
+    assert!(means.windows(2).all(|pair| pair[0] < pair[1]), "two lobes in one place");
 }
 
 /// The mean over marginals against the smooth lobe, with the figures stated: root mean square within two deviations.
@@ -90,8 +127,8 @@ fn the_mean_of_all_marginals_is_smooth() {
     for (got, stated) in independent.iter().zip([0.21, 0.17, 0.09, 0.032, 0.014, 0.009]) {
         assert!(*got < 1.7 * stated && *got > stated / 1.7, "{got}, stated {stated}");
     }
-    for (got, stated) in stratified.iter().zip([0.058, 0.018, 0.017, 0.007, 0.002, 0.001]) {
-        assert!(*got < 1.7 * stated, "{got}, stated {stated}");
+    for (got, stated) in stratified.iter().zip([0.03, 0.018, 0.017, 0.007, 0.002, 0.001]) {
+        assert!(*got < 1.1 * stated, "{got}, stated {stated}");
     }
 }
 
@@ -115,107 +152,17 @@ fn the_variance_is_that_of_the_whole() {
     }
 }
 
-/// Mean over a box, by pieces between all nodes and ends: an oracle that sums.
-fn box_mean(marginal: &Marginal<'_, f64>, x: f64, width: f64) -> f64 {
-    let (a, b) = (x - 0.5 * width, x + 0.5 * width);
-    let mut ends = vec![a, b];
-    ends.extend((-64..=64).map(|k| f64::from(k) / 16.0).filter(|node| *node > a && *node < b));
-    ends.sort_by(f64::total_cmp);
-    let piece = |w: &[f64]| (w[1] - w[0]) * marginal.density(0.5 * (w[0] + w[1]));
-    ends.windows(2).map(piece).sum::<f64>() / width
-}
-
-/// Law C12: a box's mean is exact at any width, keeps the mass and adds the box's variance.
-#[test]
-fn boxes_are_exact() {
-    let dictionary = small(Means::Stratified);
-    let single = Dictionary::<f32>::new(dictionary.recipe()).expect("valid");
-    check(20_000, |source| {
-        let (i, level) = (source.pick(24) as u32, source.pick(9) as u32);
-        let marginal = dictionary.marginal(i, level);
-        let x = if source.pick(3) == 0 {
-            f64::from(source.pick(80) as i32) / 16.0
-        } else {
-            source.uniform(-5.0, 5.0)
-        };
-        let width = source.log_uniform(1e-6, 12.0);
-        let (got, want) = (marginal.mean(x, width), box_mean(&marginal, x, width));
-        near(got, want, 1e-9 * want + 1e-9, &(i, level, x, width))?;
-        near(marginal.mean(-x, width), got, 1e-13, &(i, level, x, width))?;
-        let single = f64::from(single.marginal(i, level).mean(x as f32, width as f32));
-        // Densities change by up to 140 a deviation.
-        near(single, want, 2e-4 + 2e-5 * want, &(i, level, x, width))
-    });
-    for width in [0.0, 0.01, 0.3, 2.0, 7.0] {
-        for (i, level, marginal) in all(&dictionary).step_by(17) {
-            let step = 1.0 / 512.0;
-            let (mut mass, mut variance, mut plain) = (0.0, 0.0, 0.0);
-            for k in -4096..4096 {
-                let x = (f64::from(k) + 0.5) * step;
-                mass += step * marginal.mean(x, width);
-                variance += step * x * x * marginal.mean(x, width);
-                plain += step * x * x * marginal.density(x);
-            }
-            assert!((mass - 1.0).abs() < 1e-4, "{i} {level} {width}: {mass}");
-            let want = plain + width * width / 12.0;
-            assert!(
-                (variance / want - 1.0).abs() < 1e-3,
-                "{i} {level} {width}: {variance}, {want}"
-            );
-        }
-    }
-}
-
-/// A trilinear lookup of nominal width w is about as wide as a box of 1.5 to 1.75 w, and keeps the mass but for the end.
-#[test]
-fn mips_are_wider_than_they_say() {
-    let dictionary = small(Means::Stratified);
-    for derivative in [0.125, 0.25, 0.5] {
-        let (mut ratio, mut count) = (0.0, 0.0);
-        for (_, _, marginal) in all(&dictionary).filter(|(_, level, _)| *level == 8) {
-            let moment = |f: &dyn Fn(f64) -> f64| {
-                let step = 1.0 / 256.0;
-                (-1024..1024)
-                    .map(|k| (f64::from(k) + 0.5) * step)
-                    .map(|x| step * f(x) * x * x)
-                    .sum::<f64>()
-            };
-            let (wide, plain) =
-                (moment(&|x| marginal.mip_mean(x, derivative)), moment(&|x| marginal.density(x)));
-            ratio += (12.0 * (wide - plain)).max(0.0).sqrt() / derivative;
-            count += 1.0;
-            let step = 1.0 / 256.0;
-            let mass: f64 = (-1024..1024)
-                .map(|k| step * marginal.mip_mean((f64::from(k) + 0.5) * step, derivative))
-                .sum();
-            assert!((mass - 1.0).abs() < 1e-3, "{derivative}: {mass}");
-        }
-        println!("{derivative}: {}", ratio / count);
-        assert!((1.35..1.85).contains(&(ratio / count)), "{derivative}: {}", ratio / count);
-    }
-}
-
-#[test]
-fn quantiles_invert_the_cumulative() {
-    let dictionary = small(Means::Stratified);
-    for (i, level, marginal) in all(&dictionary) {
-        for k in 0..=40 {
-            let u = f64::from(k) / 40.0;
-            let x = marginal.quantile(u);
-            assert!(x.abs() <= 4.0);
-            let below =
-                0.5 + x.signum() * 0.5 * 2.0 * x.abs() * marginal.mean(0.5 * x, x.abs()) * 1.0;
-            assert!((below - u).abs() < 1e-9, "{i} {level} {u}: {x} {below}");
-        }
-    }
-}
-
-/// The same bits from the same recipe, others from another seed; made in less than 2 s.
+/// The same bits from the same recipe, others from another seed; made in less than 2 s, of which an idle core needs a fifth.
 #[test]
 fn generation_is_deterministic_and_fast() {
-    let begin = Instant::now();
-    let one = Dictionary::<f32>::new(&Recipe::default()).expect("valid");
-    let time = begin.elapsed().as_secs_f64();
+    let made = || {
+        let begin = Instant::now();
+        let one = Dictionary::<f32>::new(&Recipe::default()).expect("valid");
+        (one, begin.elapsed().as_secs_f64())
+    };
+    // The best of three: other programs have the core, too.
+    let (one, time) = made();
+    let time = [made().1, made().1].into_iter().fold(time, f64::min);
     println!("{time:.2} s, {} bytes", one.bytes());
     assert!(time < 2.0, "{time} s");
     assert_eq!(one.bytes(), 192 * 16 * 65 * 8);
@@ -241,75 +188,4 @@ fn recipes_out_of_range_are_refused() {
     ] {
         assert_eq!(Dictionary::<f32>::new(&bad), Err(Error::Recipe), "{bad:?}");
     }
-}
-
-/// Bytes come back as they were; damaged, they say how.
-#[test]
-fn damaged_bytes_are_refused() {
-    let recipe = Recipe {
-        marginals: 3,
-        levels: 4,
-        intervals: 64,
-        means: Means::Published,
-        seed: 5,
-        ..Recipe::default()
-    };
-    let dictionary = Dictionary::<f32>::new(&recipe).expect("valid");
-    let bytes = dictionary.to_bytes();
-    assert_eq!(bytes.len(), 44 + dictionary.bytes());
-    assert_eq!(Dictionary::from_bytes(&bytes), Ok(dictionary));
-    for at in 0..bytes.len() {
-        let mut damaged = bytes.clone();
-        damaged[at] ^= 0x10;
-        let want = match at {
-            0..8 => Some(Error::DictionaryMagic),
-            8..12 => Some(Error::DictionaryVersion),
-            // Sizes of other dictionaries, or of none; the rest is the checksum's.
-            12..28 | 32..40 => None,
-            _ => Some(Error::DictionaryChecksum),
-        };
-        let got = Dictionary::from_bytes(&damaged).expect_err("damaged");
-        assert!(want.is_none_or(|want| want == got), "byte {at}: {got:?}");
-    }
-    for length in 0..bytes.len() {
-        let got = Dictionary::from_bytes(&bytes[..length]).expect_err("cut");
-        let want = if length < 8 { Error::DictionaryMagic } else { Error::DictionaryLength };
-        assert_eq!(got, want, "{length}");
-    }
-    let longer: Vec<u8> = bytes.iter().copied().chain([0]).collect();
-    assert_eq!(Dictionary::from_bytes(&longer), Err(Error::DictionaryLength));
-}
-
-#[test]
-fn any_number_is_answered() {
-    let dictionary =
-        Dictionary::<f32>::new(&Recipe { marginals: 4, levels: 3, ..Recipe::default() })
-            .expect("valid");
-    let odd = [
-        f32::NAN,
-        f32::INFINITY,
-        f32::NEG_INFINITY,
-        0.0,
-        -0.0,
-        1e-45,
-        4.0,
-        -4.0,
-        f32::MAX,
-        -1.0,
-        1e9,
-    ];
-    for x in odd {
-        for width in odd {
-            for level in [0, 2, u32::MAX] {
-                let marginal = dictionary.marginal(u32::MAX, level);
-                for got in
-                    [marginal.density(x), marginal.mean(x, width), marginal.mip_mean(x, width)]
-                {
-                    assert!(got >= 0.0 && got.is_finite(), "{x} {width}: {got}");
-                }
-                assert!(marginal.quantile(x).abs() <= 4.0, "{x}");
-            }
-        }
-    }
-    check(1, |_| ensure(true, "", &()));
 }

@@ -36,8 +36,8 @@ pub fn cavity_masking<R: Real>(w: impl Into<[R; 3]>, m: impl Into<[R; 3]>) -> R 
 
 /// Masking and shadowing of V-cavities, the smaller of both: Cook & Torrance's.
 ///
-/// Published code multiplies them (Chermain et al. 2020). As the two arguments add up to $4 h_z^2$, both are 1 or the
-/// other is, up to 45 degrees from the pole, and there the two rules agree.
+/// Published code multiplies them (Chermain et al. 2020). For m = h the two quotients $2 m_z w_z/(w \cdot m)$ add up to $4 h_z^2$:
+/// where $h_z^2 \ge 1/2$ at least one of the maskings is therefore 1, and the smaller is the product.
 ///
 /// ```
 /// use lobe::ndf::cavity_masking_shadowing;

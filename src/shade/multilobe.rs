@@ -41,7 +41,8 @@ impl<R: Real> MultiLobeMaterial<R> {
     /// The material as a pixel sees it: over the moments of a normal map, under the kernel of the half vector's motion.
     ///
     /// It is shaded in the frame of the map's mean, as no masking of V-cavities with another mean is known: from there the
-    /// map's covariance is seen ([`PatchLobe::over`]), and there the kernel's half vectors are to be taken, too. Zero moments and a zero kernel leave the material as it is.
+    /// map's covariance is seen ([`PatchLobe::over`]), and there the kernel's half vectors are to be taken, too. Zero
+    /// moments and a zero kernel leave the material as it is.
     ///
     /// WGSL: none, `lobe_multi_lobe_lobe`, `lobe_patch_lobe_over` and `lobe_patch_lobe_widened` there.
     #[inline]
@@ -110,6 +111,7 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
     /// let drawn = shading.sample(wo, u).expect("above");
     /// let [value, ..] = shading.evaluate(wo, drawn.wi);
     /// assert!((value - drawn.weight * drawn.pdf).abs() <= 1e-9 * value);
+    /// assert!((shading.pdf(wo, drawn.wi) - drawn.pdf).abs() <= 1e-9 * drawn.pdf);
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
@@ -117,5 +119,12 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
     pub fn sample(&self, wo: impl Into<[R; 3]>, u: [R; 7]) -> Option<Sampled<R>> {
         let drawn = self.lobe.sample(self.frame.to_local(wo), u)?;
         Some(Sampled { wi: self.frame.to_tangent(drawn.wi), ..drawn })
+    }
+
+    /// Density over solid angle with which [`MultiLobeShading::sample`] draws `wi`, for other ways of drawing it beside this one.
+    ///
+    /// WGSL: none, sampling is not mirrored.
+    pub fn pdf(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> R {
+        self.lobe.pdf(self.frame.to_local(wo), self.frame.to_local(wi))
     }
 }

@@ -87,7 +87,7 @@ impl<R: Real> MeanFrame<R> {
 
     /// Moments about their mean in this frame, to first order: mean 0, $J \Sigma J^T$.
     ///
-    /// Source: in place of Chermain et al. 2021, section 5, who take over the covariance as it is.
+    /// Source: in place of Chermain, Lucas et al. 2021, section 5, who take over the covariance as it is.
     ///
     /// WGSL: `lobe_mean_frame_moments`.
     #[must_use]

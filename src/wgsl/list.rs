@@ -333,6 +333,7 @@ items! {
     MaterialMultilobeMarginal: file "material_multilobe_marginal";
     EllipseLimit: const "ELLIPSE_LIMIT", "ELLIPSE_LIMIT";
     MaterialMultilobeEllipse: file "material_multilobe_ellipse";
+    MaterialMultilobeCells: file "material_multilobe_cells";
     MaterialMultilobePieces: file "material_multilobe_pieces";
     MaterialMultilobePlane: file "material_multilobe_plane";
     PatchLobeOver: fn "patch_lobe_over", "PatchLobe::over";

@@ -123,6 +123,8 @@ modules! {
     #[cfg(feature = "glint")]
     "material/multilobe/ellipse",
     #[cfg(feature = "glint")]
+    "material/multilobe/cells",
+    #[cfg(feature = "glint")]
     "material/multilobe/pieces",
     #[cfg(feature = "glint")]
     "material/multilobe/plane",

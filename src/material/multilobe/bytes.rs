@@ -5,6 +5,7 @@
 use alloc::vec::Vec;
 
 use super::dictionary::Dictionary;
+use super::generate::REACH;
 use super::recipe::{Means, Recipe};
 use crate::error::Error;
 
@@ -63,7 +64,7 @@ impl Dictionary<f32> {
     /// # Errors
     /// [`Error::DictionaryMagic`] of what are no bytes of a dictionary; [`Error::DictionaryVersion`] of another layout;
     /// [`Error::Recipe`] of sizes or means out of range; [`Error::DictionaryLength`] of too few bytes or too many;
-    /// [`Error::DictionaryChecksum`] of damaged ones, and of what is no density for all its checksum.
+    /// [`Error::DictionaryChecksum`] of damaged ones; [`Error::DictionaryDensity`] of nodes that are no densities of integral 1.
     ///
     /// WGSL: none, [`Dictionary::nodes`] go into a buffer there.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
@@ -102,15 +103,28 @@ impl Dictionary<f32> {
         let number = |at: &[u8]| at.try_into().map_or(0.0, f32::from_le_bytes);
         let nodes = bytes[HEADER..].chunks_exact(8).map(|b| [number(&b[..4]), number(&b[4..])]);
         let nodes: Vec<_> = nodes.collect();
-        // A checksum may be forged, a density not.
         let stride = recipe.intervals as usize + 1;
-        let sound = nodes.chunks_exact(stride).all(|table| {
-            let rising = table.is_sorted_by(|a, b| a[1] <= b[1]);
-            let ends = table[0][1] == 0.0 && table[stride - 1][1] == 0.5;
-            rising && ends && table.iter().all(|node| node[0] >= 0.0 && node[0].is_finite())
-        });
-        if sound { Ok(Self::from_nodes(recipe, nodes)) } else { Err(Error::DictionaryChecksum) }
+        let step = REACH / f64::from(recipe.intervals);
+        if nodes.chunks_exact(stride).all(|table| is_density(table, step)) {
+            Ok(Self::from_nodes(recipe, nodes))
+        } else {
+            Err(Error::DictionaryDensity)
+        }
     }
+}
+
+/// Whether nodes are those of half a density: not negative, with its integral up to each, which ends at 1/2.
+fn is_density(table: &[[f32; 2]], step: f64) -> bool {
+    // What rounding two integrals of up to 1/2 and the densities between them leaves.
+    const ROUNDING: f64 = 1.0 / (1 << 24) as f64;
+    let ends = table[0][1] == 0.0 && table[table.len() - 1][1] == 0.5;
+    // NaN is not.
+    let holds = table.windows(2).all(|pair| {
+        let ([p, before], [q, after]) = (pair[0].map(f64::from), pair[1].map(f64::from));
+        let mass = 0.5 * step * (p + q);
+        p >= 0.0 && q >= 0.0 && before <= after && (after - before - mass).abs() <= ROUNDING
+    });
+    ends && holds
 }
 
 /// FNV-1a, of all bytes but its own.

@@ -18,7 +18,7 @@ use crate::scalar::Real;
 ///
 /// Everything is deterministic: the same [`Recipe`] gives the same bits on any machine.
 ///
-/// Source: Chermain et al. 2020, 2021, section 3. There the tables hold densities alone, of a whole with deviation
+/// Source: Chermain et al. 2020; 2021a, section 3. There the tables hold densities alone, of a whole with deviation
 /// $0.5/\sqrt 2$, in 16 bits.
 ///
 /// ```
@@ -40,7 +40,7 @@ pub struct Dictionary<R> {
 }
 
 impl<R: Real> Dictionary<R> {
-    /// Made by a recipe: by the default one in about a second, on one core.
+    /// Made by a recipe: by the default one in about half a second, on one core.
     ///
     /// # Errors
     /// [`Error::Recipe`] outside the ranges of [`Recipe`].

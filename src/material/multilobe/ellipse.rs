@@ -5,7 +5,7 @@
 use crate::material::glint::Patch;
 use crate::scalar::{Psd, Real};
 
-/// Longest pixel against its width: longer ones get wider.
+/// The largest aspect ratio of a pixel: longer ones are widened to it.
 pub const ELLIPSE_LIMIT: u32 = 8;
 
 /// Rows that one level may need: a half height of 16 cells, grown by one cell's own.
@@ -37,7 +37,7 @@ pub(super) struct Row<R> {
     /// Where the ellipse's middle is in it, one over the square of its half width there, and what is left of the squared
     /// radius.
     middle: R,
-    inverse: R,
+    scale: R,
     rest: R,
 }
 
@@ -57,7 +57,7 @@ impl<R: Real> Ellipse<R> {
         let [x, y] = eigen.axis.map(|c| c * missing.sqrt());
         let square = square.plus(&Psd::outer_sum([-y, x], [R::ZERO; 2]));
         let width = (eigen.minor + missing).sqrt();
-        Self { uv: patch.uv, square, width }
+        Self { uv: finite(patch.uv), square, width }
     }
 
     /// On the level of cells of size $2^k$.
@@ -92,7 +92,7 @@ impl<R: Real> Rows<R> {
         let middle = self.centre[0] + xy / yy * offset;
         let square = self.square.root_det() * (self.square.root_det() / yy);
         let [first, last] = between(middle, (square * rest).sqrt());
-        Row { first, last, middle, inverse: R::ONE / square, rest }
+        Row { first, last, middle, scale: R::ONE / square, rest }
     }
 }
 
@@ -102,7 +102,7 @@ impl<R: Real> Row<R> {
     pub(super) fn weight(&self, s: i32) -> R {
         let offset = R::lit(f64::from(s)) - self.middle;
         // 1 - r^2, which has more digits than r^2 at the rim.
-        let inside = self.rest - offset * offset * self.inverse;
+        let inside = self.rest - offset * offset * self.scale;
         let rim = R::lit(RIM);
         (rim * ((R::TWO * inside).exp() - R::ONE)).max(R::ZERO)
     }

@@ -26,9 +26,13 @@ pub(super) fn tables(recipe: &Recipe) -> Vec<[f64; 2]> {
     let mut sums = vec![0.0; marginals as usize * stride];
     let mut tables = vec![[0.0; 2]; recipe.nodes()];
     let mut strata: Vec<u32> = (0..marginals).collect();
+    let mut means = vec![0.0; marginals as usize];
     let curve = Curve::new(recipe);
     for lobe in 0..1_u32 << (levels - 1) {
-        add(recipe, &curve, lobe, &mut strata, &mut sums);
+        draw(recipe, lobe, &mut strata, &mut means);
+        for (sum, mean) in sums.chunks_exact_mut(stride).zip(&means) {
+            curve.add(*mean, sum);
+        }
         let count = lobe + 1;
         if count.is_power_of_two() {
             let level = count.trailing_zeros() as usize;
@@ -41,9 +45,8 @@ pub(super) fn tables(recipe: &Recipe) -> Vec<[f64; 2]> {
     tables
 }
 
-/// Adds the `lobe`th pair of lobes to every marginal.
-fn add(recipe: &Recipe, curve: &Curve, lobe: u32, strata: &mut [u32], sums: &mut [f64]) {
-    let stride = recipe.intervals as usize + 1;
+/// Draws the mean of the `lobe`th pair of lobes of every marginal: its magnitude, as lobes come in pairs.
+fn draw(recipe: &Recipe, lobe: u32, strata: &mut [u32], means: &mut [f64]) {
     let deviation = match recipe.means {
         Means::Stratified => {
             // What a lobe has, and a line between nodes.
@@ -60,69 +63,69 @@ fn add(recipe: &Recipe, curve: &Curve, lobe: u32, strata: &mut [u32], sums: &mut
         // Below the number of marginals.
         strata.swap(pick as usize, marginal as usize);
         let inside: f64 = tail(place);
-        let u = match recipe.means {
+        means[marginal as usize] = match recipe.means {
             Means::Stratified => {
                 (f64::from(strata[marginal as usize]) + inside) / f64::from(recipe.marginals)
             }
             Means::Published => inside,
         };
-        // Lobes come in pairs, so that the sign of a mean is none: strata are those of its magnitude.
-        let mean = deviation * normal_quantile(0.5 * (1.0 - INSIDE * u));
-        let begin = marginal as usize * stride;
-        curve.add(mean, &mut sums[begin..begin + stride]);
+    }
+    // In a loop of their own, for lanes.
+    for mean in means {
+        *mean = deviation * normal_quantile(0.5 * (1.0 - INSIDE * *mean));
     }
 }
 
 /// Tells these random numbers from those of cells.
 const STREAM: u32 = 0x6c6f_6265;
 
-/// One lobe at the nodes, as all of them have it.
+/// Places from one node to the next that a lobe's mean may have: of 64 intervals, steps of a 230th of a lobe's deviation.
+const PLACES: i32 = 256;
+
+/// A lobe at the nodes around its mean, for each of these places.
 struct Curve {
-    /// Nodes per deviation of the whole.
+    /// Places per deviation of the whole.
     scale: f64,
-    /// From node to node, in deviations of a lobe.
-    step: f64,
-    /// How many nodes to either side.
-    reach: i32,
-    /// $e^{-d^2/2}$ of that step, and its square.
-    half: f64,
-    square: f64,
+    /// Nodes before the one at the mean or below it.
+    before: i32,
+    /// Nodes of one place, and those of all.
+    count: usize,
+    values: Vec<f64>,
 }
 
 impl Curve {
     fn new(recipe: &Recipe) -> Self {
-        let scale = f64::from(recipe.intervals) / REACH;
-        let step = 1.0 / (scale * recipe.width);
-        let half = Real::exp(-0.5 * step * step);
-        Self { scale, step, reach: Real::floor(SUPPORT / step) + 2, half, square: half * half }
+        let nodes = f64::from(recipe.intervals) / REACH;
+        // From node to node, in deviations of a lobe.
+        let step = 1.0 / (nodes * recipe.width);
+        let before = Real::floor(SUPPORT / step) + 1;
+        let part = |place: i32| f64::from(place) / f64::from(PLACES);
+        let value = |distance: f64| Real::exp(-0.5 * distance * distance);
+        let values = (0..PLACES).flat_map(|place| {
+            (-before..=before + 1).map(move |k| value(step * (f64::from(k) - part(place))))
+        });
+        let count = 2 * before.unsigned_abs() as usize + 2;
+        Self { scale: nodes * f64::from(PLACES), before, count, values: values.collect() }
     }
 
     /// Adds $g(x - \mu) + g(x + \mu)$ at the nodes from 0 on, with $\mu \ge 0$: at each the first lobe, at it and at what
     /// mirrors it.
     fn add(&self, mean: f64, sums: &mut [f64]) {
-        // From the node at the mean or below it, outwards: each value from the one before, as logarithms of a Gaussian
-        // differ by a line.
-        let centre = mean * self.scale;
-        let below = Real::floor(centre);
-        let offset = (f64::from(below) - centre) * self.step;
-        let peak = Real::exp(-0.5 * offset * offset);
-        let growth = Real::exp(self.step * offset);
-        self.side(below, -1, peak, self.half * growth, sums);
-        let ratio = self.half / growth;
-        self.side(below + 1, 1, peak * ratio, ratio * self.square, sums);
-    }
-
-    /// Adds one side of it, whose values fall by `ratio` at first.
-    fn side(&self, first: i32, sign: i32, peak: f64, ratio: f64, sums: &mut [f64]) {
-        let (mut node, mut value, mut ratio) = (first, peak, ratio);
-        for _ in 0..self.reach {
+        let place = Real::floor(mean * self.scale + 0.5);
+        let begin = self.count * (place % PLACES).unsigned_abs() as usize;
+        let values = &self.values[begin..begin + self.count];
+        let first = place / PLACES - self.before;
+        if first > 0 {
+            // Most are away from 0; what stands beyond the end is left out.
+            let sums = sums.iter_mut().skip(first.unsigned_abs() as usize);
+            sums.zip(values).for_each(|(sum, value)| *sum += value);
+            return;
+        }
+        for (node, value) in (first..).zip(values) {
             if let Some(sum) = sums.get_mut(node.unsigned_abs() as usize) {
                 // At 0 the lobe and its mirror are the same.
-                *sum += if node == 0 { 2.0 * value } else { value };
+                *sum += if node == 0 { 2.0 * value } else { *value };
             }
-            node += sign;
-            value *= ratio;
-            ratio *= self.square;
         }
     }
 }
@@ -138,7 +141,7 @@ fn normalised(sums: &[f64], table: &mut [[f64; 2]]) {
     let mut cumulative = 0.0;
     for (k, node) in table.iter_mut().enumerate() {
         if k > 0 {
-            cumulative += 0.5 * step * scale * (sums[k - 1] + sums[k]);
+            cumulative = f64::min(cumulative + 0.5 * step * scale * (sums[k - 1] + sums[k]), 0.5);
         }
         *node = [scale * sums[k], cumulative];
     }

@@ -2,6 +2,7 @@
 //!
 //! Floor 4.
 
+use super::cells::Cells;
 use super::dictionary::Dictionary;
 use super::ellipse::Ellipse;
 use super::lobe::PatchLobe;
@@ -16,8 +17,10 @@ use crate::slope::Roughness;
 /// details reflect at each half vector, so that one pixel's density integrates to 1 on average only, here every cell has
 /// a whole density, a rotated product of two marginals of a [`Dictionary`].
 ///
-/// Source: Chermain et al. 2020, 2021. As published it is [`Dictionary`] with
-/// [`Means::Published`](super::Means::Published) and [`PatchLobe::with_mips`].
+/// Source: Chermain et al. 2020, 2021a. A dictionary of [`Means::Published`](super::Means::Published) and
+/// [`PatchLobe::with_mips`] are as published. Ours are: singular values in place of the derivatives' lengths, and aspects up to
+/// 8, where they have 4; levels rounded by chance; the smaller masking in place of the product; a cell that no facet is
+/// smaller than; tables read at their nodes.
 ///
 /// ```
 /// use lobe::Roughness;
@@ -42,8 +45,9 @@ impl<R: Real> MultiLobe<R> {
     /// From the roughness from afar and the number of facets per unit area of the texture, in the median of its cells:
     /// published are logarithms of it, from $e^{15}$, which glitters, to $e^{50}$, smooth.
     ///
-    /// Cells vary by powers of 4 ([`MultiLobe::with_variation`]), so that their mean is more: with a deviation of 2, 47 times
-    /// that.
+    /// Cells vary by powers of 4 ([`MultiLobe::with_variation`]) and have no less than one, so that their mean is more: of many
+    /// facets, with a deviation of 2, 55 times that. Deviations of the lobe below 1e-9, also across a correlation near $\pm 1$, count as
+    /// 1e-9; a mirror has no density until a kernel widens it.
     ///
     /// # Errors
     /// [`Error::Facets`] unless in $[10^{-18}, 10^{30}]$.
@@ -71,7 +75,7 @@ impl<R: Real> MultiLobe<R> {
 
     /// With facets on this share of the cells, and the smooth lobe on the others: 1 by default.
     ///
-    /// Published code has nothing on the others (Chermain et al. 2020), or the smooth lobe (2021, on sampling).
+    /// Published code has nothing on the others (Chermain et al. 2020), or the smooth lobe (2021b).
     ///
     /// # Errors
     /// [`Error::Share`] outside [0, 1].
@@ -99,7 +103,7 @@ impl<R: Real> MultiLobe<R> {
         self.roughness
     }
 
-    /// Edge of the smallest cell: the square that one facet has. What is closer shows no more of them.
+    /// Side of the square that one facet has in the mean: smaller pixels show what one of this size does.
     ///
     /// WGSL: `lobe_multi_lobe_facet_size`.
     pub fn facet_size(&self) -> R {
@@ -109,11 +113,12 @@ impl<R: Real> MultiLobe<R> {
     /// What a pixel sees of it.
     ///
     /// Cells are no smaller than $2^{-20}$ of the coordinates' distance from the origin, in f64 $2^{-28}$: far away glints
-    /// get larger and fade. Coordinates of large surfaces should restart, each tile with a seed of its own. NaN counts as 0.
+    /// get larger and fade. Coordinates of large surfaces should restart, each tile with a seed of its own. NaN counts as 0, and
+    /// infinity as $10^{18}$.
     ///
     /// WGSL: `lobe_multi_lobe_lobe`.
     #[inline]
     pub fn lobe<'a>(&self, dictionary: &'a Dictionary<R>, patch: &Patch<R>) -> PatchLobe<'a, R> {
-        PatchLobe::new(self, dictionary, Ellipse::of(patch))
+        PatchLobe::new(dictionary, self.roughness, Cells::new(self, Ellipse::of(patch)))
     }
 }

@@ -6,10 +6,12 @@
 //! marginal has a cumulative, it can be sampled.
 //!
 //! Source: Chermain, Sauvage, Dischler & Dachsbacher 2020, "Procedural Physically-based BRDF for Real-Time Rendering of
-//! Glints"; Chermain, Lucas, Sauvage, Dischler & Dachsbacher 2021, "Real-Time Geometric Glint Anti-Aliasing with Normal Map
-//! Filtering".
+//! Glints"; Chermain, Lucas, Sauvage, Dischler & Dachsbacher 2021a, "Real-Time Geometric Glint Anti-Aliasing with Normal Map
+//! Filtering"; Chermain, Sauvage, Dischler & Dachsbacher 2021b, "Importance Sampling of Glittering BSDFs based on Finite
+//! Mixture Distributions".
 
 mod bytes;
+mod cells;
 mod dictionary;
 mod ellipse;
 mod generate;

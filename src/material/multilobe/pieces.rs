@@ -1,4 +1,4 @@
-//! A kernel in pieces: what a product of two boxes, turned by anything, can stand for.
+//! A kernel in pieces, so short that two boxes along any axes are a fair stand-in for each.
 //!
 //! Floor 4.
 
@@ -6,8 +6,8 @@ use crate::scalar::{Psd, Real};
 
 /// Longest piece, in deviations of the lobe, or the kernel's width where that is more.
 ///
-/// A long box becomes a square one where it is a product along other axes: of its variance a quarter goes across, in the
-/// mean over turns. Of a piece as long as this that is 4.7 % of the lobe's own variance at most.
+/// Two boxes with a long box's variances along axes at 45 degrees to it make a square: in the mean over turns a quarter of
+/// its elongation goes across. Of a piece as long as this that is 4.7 % of the lobe's own variance at most.
 const LONGEST: f64 = 1.5;
 
 /// How far from the middle a piece's centre may be to meet a table, turned by anything: half its diagonal, $4 \sqrt 2$, and
@@ -15,17 +15,17 @@ const LONGEST: f64 = 1.5;
 const REACH: f64 = 5.657;
 const HALF_DIAGONAL: f64 = 0.7072;
 
-/// Pieces that may meet one, at most.
-const PIECES: i32 = 12;
+/// Bound of the loop over pieces: ten of them meet a table at most, by the two numbers above.
+const MOST: i32 = 12;
 
 /// A kernel in deviations: a rectangle of its covariance, cut along its long side, the middle piece around the middle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pieces<R> {
-    /// Along the long side.
+    /// Of the long side.
     axis: [R; 2],
-    /// Sides of the rectangle, and the longest piece.
-    length: R,
-    width: R,
+    /// Sides of the rectangle along and across it, and the longest piece.
+    along: R,
+    across: R,
     longest: R,
     /// The pieces that may meet a table.
     pub(super) first: i32,
@@ -51,11 +51,19 @@ impl<R: Real> Pieces<R> {
     pub(super) fn of(kernel: &Psd<R>) -> Self {
         let eigen = kernel.eigen();
         let side = |variance: R| (R::lit(12.0) * variance).sqrt();
-        let (length, width) = (side(eigen.major), side(eigen.minor));
-        let longest = width.max(R::lit(LONGEST));
-        // The last one begins before the end.
-        let last = (R::HALF * length / longest + R::HALF).floor();
-        Self { axis: eigen.axis, length, width, longest, first: -last, last }
+        let (along, across) = (side(eigen.major), side(eigen.minor));
+        let longest = across.max(R::lit(LONGEST));
+        // The last one begins before the end; one piece is whole, and has no others beside it.
+        let last = if along > longest { (R::HALF * along / longest + R::HALF).floor() } else { 0 };
+        Self { axis: eigen.axis, along, across, longest, first: -last, last }
+    }
+
+    /// Of a point and the one opposite, the one for both: the density is even, and a sum over pieces has an order.
+    #[inline]
+    pub(super) fn folded(&self, [x, y]: [R; 2]) -> [R; 2] {
+        let along = self.axis[0] * x + self.axis[1] * y;
+        let across = self.axis[0] * y - self.axis[1] * x;
+        if along < R::ZERO || (along == R::ZERO && across < R::ZERO) { [-x, -y] } else { [x, y] }
     }
 
     /// Around a point: the pieces near enough to the tables.
@@ -67,24 +75,24 @@ impl<R: Real> Pieces<R> {
         let first = -((reach + middle).floor());
         let last = (reach - middle).floor();
         let first = first.max(self.first);
-        Self { first, last: last.min(self.last).min(first + PIECES - 1), ..*self }
+        Self { first, last: last.min(self.last).min(first + MOST - 1), ..*self }
     }
 
     /// A piece by its number, 0 in the middle.
     #[inline]
     pub(super) fn piece(&self, k: i32) -> Piece<R> {
         let (centre, long) = if k == 0 {
-            (R::ZERO, self.longest.min(self.length))
+            (R::ZERO, self.longest.min(self.along))
         } else {
             // On one side of the middle, then on the other.
             let number = R::lit(f64::from(k.abs()));
             let low = (number - R::HALF) * self.longest;
-            let high = ((number + R::HALF) * self.longest).min(R::HALF * self.length);
+            let high = ((number + R::HALF) * self.longest).min(R::HALF * self.along);
             let centre = R::HALF * (low + high);
             (if k < 0 { -centre } else { centre }, (high - low).max(R::ZERO))
         };
-        let square = self.width * self.width;
-        let share = if self.length > self.longest { long / self.length } else { R::ONE };
+        let square = self.across * self.across;
+        let share = if self.along > self.longest { long / self.along } else { R::ONE };
         Piece {
             offset: self.axis.map(|c| c * centre),
             share,
@@ -96,7 +104,7 @@ impl<R: Real> Pieces<R> {
 
     /// The piece at a place of the long side, from 0 to 1.
     pub(super) fn piece_at(&self, u: R) -> Piece<R> {
-        let place = (u - R::HALF) * self.length / self.longest + R::HALF;
+        let place = (u - R::HALF) * self.along / self.longest + R::HALF;
         self.piece(place.floor().max(self.first).min(self.last))
     }
 }

@@ -11,16 +11,16 @@ pub enum Means {
     /// leave of 1: the dictionary's mean is the smooth lobe, as nearly as its number of marginals allows.
     #[default]
     Stratified,
-    /// Independent, with a variance of 1: the dictionary is wider than its smooth lobe by the lobes' own width, and its
-    /// mean differs from it by what chance leaves. As published (Chermain et al. 2020).
+    /// Independent draws of variance 1, as published (Chermain et al. 2020): the dictionary is wider than its smooth lobe by the
+    /// variance of one lobe, and its mean differs from it by sampling noise.
     Published,
 }
 
 /// How a [`Dictionary`](super::Dictionary) is made: sizes, lobes, seed.
 ///
-/// Time grows with marginals times $2^{levels}$, each of which is a lobe: about a second for the default's six
-/// million, minutes at the ends of the ranges. While it is made, a node takes 16 bytes beside its own 8 or 16: what has no
-/// room for that aborts, as any allocation does.
+/// Time grows with the pairs of lobes, marginals times $2^{levels - 1}$, and with the nodes that one covers, 3 + 3 width
+/// intervals: half a second on one core for the default's six million pairs of 14 nodes, days at the ends of all ranges. While it
+/// is made, a node takes 16 bytes beside its own 8 or 16; if that cannot be allocated, the process aborts.
 ///
 /// ```
 /// use lobe::material::multilobe::{Dictionary, Recipe};

@@ -23,14 +23,14 @@ pub struct Sampled<R> {
 impl<R: Real> PatchLobe<'_, R> {
     /// A direction towards the light, drawn by the facets that `wo` sees.
     ///
-    /// `u` are independent uniform numbers in [0, 1): one for the cell, two for its marginals, two for their boxes, one
-    /// for the piece of the kernel, one for the side of the cavity. The slope is one of the density exactly, by the inverse of the cumulative; of a facet and
-    /// the one opposite one is taken, in proportion to how much is seen of it. None if `wo` lies below the horizon, and for
-    /// NaN.
+    /// `u` are independent uniform numbers in [0, 1): the cell; two for its marginals; two within their boxes; the piece of
+    /// the kernel; a facet or its mirror. The slope is one of the density exactly, by the inverse of the cumulative; of a
+    /// facet and the one opposite one is taken, in proportion to how much is seen of it. None if `wo` lies below the horizon,
+    /// and for NaN. Of a mirror, which has no density, the pdf is 0.
     ///
     /// Under kernels, but without the lookups of [`PatchLobe::with_mips`], which are no density's.
     ///
-    /// Source: Chermain et al. 2021 (importance sampling); Heitz & d'Eon 2014, for V-cavities.
+    /// Source: Chermain et al. 2021b; Heitz & d'Eon 2014, for V-cavities.
     ///
     /// ```
     /// use lobe::Roughness;

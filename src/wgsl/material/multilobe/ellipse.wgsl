@@ -42,7 +42,7 @@ fn lobe_ellipse_of(pixel: LobePatch) -> LobeEllipse {
     let root = sqrt(missing);
     let across = vec2f(-(eigen.axis.y * root), eigen.axis.x * root);
     let wide = lobe_psd_plus(square, lobe_psd_outer_sum(across, vec2f(0.0, 0.0)));
-    return LobeEllipse(pixel.uv, wide, sqrt(eigen.minor + missing));
+    return LobeEllipse(lobe_both_within(pixel.uv, LOBE_LARGEST), wide, sqrt(eigen.minor + missing));
 }
 
 // Rust: `Ellipse::rows`.

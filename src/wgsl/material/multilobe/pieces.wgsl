@@ -1,4 +1,4 @@
-// A kernel in pieces: what a product of two boxes, turned by anything, can stand for. Rust: src/material/multilobe/pieces.rs.
+// A kernel in pieces, so short that two boxes along any axes stand in for each. Rust: src/material/multilobe/pieces.rs.
 
 // Rust: `LONGEST`.
 const LOBE_PIECES_LONGEST: f32 = 1.5;
@@ -6,7 +6,7 @@ const LOBE_PIECES_LONGEST: f32 = 1.5;
 const LOBE_PIECES_REACH: f32 = 5.657;
 // Rust: `HALF_DIAGONAL`.
 const LOBE_PIECES_HALF_DIAGONAL: f32 = 0.7072;
-// Rust: `PIECES`.
+// Rust: `MOST`.
 const LOBE_PIECES_MOST: i32 = 12;
 
 // Rust: `Pieces`.
@@ -34,8 +34,18 @@ fn lobe_pieces_of(psd: LobePsd) -> LobePieces {
     let along = sqrt(12.0 * eigen.major);
     let across = sqrt(12.0 * eigen.minor);
     let longest = lobe_max(across, LOBE_PIECES_LONGEST);
-    let last = lobe_floor(0.5 * along / longest + 0.5);
+    let last = select(0, lobe_floor(0.5 * along / longest + 0.5), along > longest);
     return LobePieces(eigen.axis, along, across, longest, -last, last);
+}
+
+// Rust: `Pieces::folded`.
+fn lobe_pieces_folded(pieces: LobePieces, place: vec2f) -> vec2f {
+    let along = pieces.axis.x * place.x + pieces.axis.y * place.y;
+    let across = pieces.axis.x * place.y - pieces.axis.y * place.x;
+    if along < 0.0 || (along == 0.0 && across < 0.0) {
+        return vec2f(-place.x, -place.y);
+    }
+    return place;
 }
 
 // Rust: `Pieces::around`.

@@ -2,21 +2,12 @@
 
 // Rust: `LEAST`.
 const LOBE_PLANE_LEAST: f32 = 1e-9;
-// Rust: `HALF_TURN`.
-const LOBE_PLANE_HALF_TURN = array<f32, 5>(0.7854006, 0.16136818, 0.040797774, 7.447305e-3, 4.9829185e-3);
 
 // Rust: `Plane`, without mips.
 struct LobePlane {
     mapping: vec3f,
     density: f32,
     pieces: LobePieces,
-}
-
-// Rust: `Facets`. A level of -1 is none, the smooth lobe.
-struct LobeFacets {
-    level: i32,
-    turn: vec2f,
-    marginals: vec2u,
 }
 
 // Rust: `Plane::new`. 0 for NaN.
@@ -32,14 +23,17 @@ fn lobe_plane_new(roughness: LobeRoughness, kernel: LobeKernel) -> LobePlane {
     return LobePlane(mapping, lobe_defined(1.0 / (a * c)), lobe_pieces_of(lobe_psd_outer_sum(u, v)));
 }
 
-// Rust: `Plane::point`.
-fn lobe_plane_point(plane: LobePlane, slope: vec2f) -> vec2f {
-    return lobe_plane_deviations(plane.mapping, slope);
+// WGSL only: what `Plane::around` returns as a pair.
+struct LobePlaneAround {
+    plane: LobePlane,
+    place: vec2f,
 }
 
 // Rust: `Plane::around`.
-fn lobe_plane_around(plane: LobePlane, place: vec2f) -> LobePlane {
-    return LobePlane(plane.mapping, plane.density, lobe_pieces_around(plane.pieces, place));
+fn lobe_plane_around(plane: LobePlane, slope: vec2f) -> LobePlaneAround {
+    let place = lobe_pieces_folded(plane.pieces, lobe_plane_deviations(plane.mapping, slope));
+    let pieces = lobe_pieces_around(plane.pieces, place);
+    return LobePlaneAround(LobePlane(plane.mapping, plane.density, pieces), place);
 }
 
 // Rust: `Plane::density`.
@@ -73,14 +67,4 @@ fn lobe_plane_density(
 fn lobe_plane_deviations(mapping: vec3f, slope: vec2f) -> vec2f {
     let y = slope.y / mapping.z;
     return vec2f((slope.x - mapping.y * y) / mapping.x, y);
-}
-
-// Rust: `quarter_turn`.
-fn lobe_plane_quarter_turn(word: u32) -> vec2f {
-    let u = lobe_hash_uniform(word);
-    let v = u * u;
-    let h = LOBE_PLANE_HALF_TURN;
-    let t = ((((h[4] * v + h[3]) * v + h[2]) * v + h[1]) * v + h[0]) * u;
-    let scale = 1.0 / (1.0 + t * t);
-    return vec2f((1.0 - t * t) * scale, 2.0 * t * scale);
 }

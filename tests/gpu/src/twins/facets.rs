@@ -50,7 +50,7 @@ fn pixel<R: Real>(x: &mut Reader<'_>) -> PatchLobe<'static, R> {
 }
 
 impl<R: Real> Flat<R> for PatchLobe<'_, R> {
-    const WGSL: &'static str = "put(0u, f32(r.exponent)); put(1u, r.coarser);";
+    const WGSL: &'static str = "put(0u, f32(r.cells.exponent)); put(1u, r.cells.coarser);";
     fn flat(self, out: &mut Vec<R>) {
         out.extend([R::lit(f64::from(self.exponent())), self.coarser()]);
     }

@@ -1,0 +1,71 @@
+// The cells that a pixel covers, on two levels, and what each of them has drawn. Rust: src/material/multilobe/cells.rs.
+
+// WGSL only: `farthest` of single precision.
+const LOBE_CELLS_FARTHEST: i32 = 20;
+// Rust: `QUANTILE`.
+const LOBE_CELLS_QUANTILE: f32 = 6.5;
+// Rust: `HALF_TURN`.
+const LOBE_CELLS_HALF_TURN = array<f32, 5>(0.7854006, 0.16136818, 0.040797774, 7.447305e-3, 4.9829185e-3);
+
+// Rust: `Cells`.
+struct LobeCells {
+    ellipse: LobeEllipse,
+    exponent: i32,
+    coarser: f32,
+    facets: f32,
+    variation: f32,
+    share: f32,
+    seed: u32,
+}
+
+// Rust: `Facets`. A level of -1 is none, the smooth lobe.
+struct LobeFacets {
+    level: i32,
+    turn: vec2f,
+    marginals: vec2u,
+}
+
+// Rust: `Cells::new`, of the fields of a material, which no other file may import.
+fn lobe_cells_new(
+    ellipse: LobeEllipse, facet_size: f32, density: f32, variation: f32, share: f32, seed: u32
+) -> LobeCells {
+    let distance = lobe_max(abs(ellipse.uv.x), lobe_max(abs(ellipse.uv.y), 0.0));
+    let farthest = distance * lobe_power_of_two(-LOBE_CELLS_FARTHEST);
+    let least = lobe_max(lobe_max(ellipse.width, facet_size), farthest);
+    let size = lobe_min(lobe_max(least, lobe_power_of_two(-100)), lobe_power_of_two(100));
+    let exponent = lobe_exponent(size);
+    // The number is ln(2), as `Real::ln` has it.
+    let coarser = lobe_ln(size * lobe_power_of_two(-exponent)) / 0.6931472;
+    let number = 0.5 * lobe_ln(density) / 0.6931472 + f32(exponent);
+    return LobeCells(ellipse, exponent, lobe_min(lobe_max(coarser, 0.0), 1.0), number, variation, share, seed);
+}
+
+// Rust: `Cells::are_smooth`.
+fn lobe_cells_are_smooth(cells: LobeCells, levels: u32) -> bool {
+    return cells.facets - LOBE_CELLS_QUANTILE * cells.variation > f32(levels);
+}
+
+// Rust: `Cells::numbers`.
+fn lobe_cells_numbers(cells: LobeCells, dictionary: LobeDictionary, cell: LobeCell, step: i32) -> LobeFacets {
+    let words = cell.words;
+    let deviation = cells.variation * lobe_normal_quantile(lobe_hash_tail(words.y));
+    let rounding = f32(words.z & 0xffu) * 0.00390625;
+    let drawn = lobe_floor(cells.facets + f32(step) + deviation + rounding);
+    let level = select(0, drawn, drawn > 0);
+    if level >= i32(dictionary.levels) || lobe_hash_tail(words.x) > cells.share {
+        return LobeFacets(-1, vec2f(0.0, 0.0), vec2u(0u, 0u));
+    }
+    let first = ((words.w >> 16u) * dictionary.marginals) >> 16u;
+    let second = ((words.w & 0xffffu) * dictionary.marginals) >> 16u;
+    return LobeFacets(level, lobe_cells_quarter_turn(words.z), vec2u(first, second));
+}
+
+// Rust: `quarter_turn`.
+fn lobe_cells_quarter_turn(word: u32) -> vec2f {
+    let u = lobe_hash_uniform(word);
+    let v = u * u;
+    let h = LOBE_CELLS_HALF_TURN;
+    let t = ((((h[4] * v + h[3]) * v + h[2]) * v + h[1]) * v + h[0]) * u;
+    let scale = 1.0 / (1.0 + t * t);
+    return vec2f((1.0 - t * t) * scale, 2.0 * t * scale);
+}
