@@ -64,6 +64,8 @@ fn many_lobes() -> Vec<Case> {
     let with = move |density: f32| MultiLobe::new(roughness, density).expect("in range");
     let footprint = Footprint::from_slopes([0.02, 0.01], [-0.01, 0.02]);
     let kernel = Kernel::of(&footprint, PixelFilter::BOX);
+    // Eight deviations of the lobe: six pieces.
+    let long = Kernel::of(&Footprint::from_slopes([1.5, 0.75], [-0.01, 0.02]), PixelFilter::BOX);
     let shaded = |name: &'static str, aspect: f32, density: f32| {
         let facets = with(density);
         case(GROUP, name, pixels(aspect), move |&(patch, wo, wi)| {
@@ -77,8 +79,16 @@ fn many_lobes() -> Vec<Case> {
         case(GROUP, "many_lobes_box", pixels(1.0), move |&(patch, wo, wi)| {
             with(1e9).lobe(dictionary, &patch).widened(&kernel).brdf(wo, wi)
         }),
+        case(GROUP, "many_lobes_long_box", pixels(1.0), move |&(patch, wo, wi)| {
+            with(1e9).lobe(dictionary, &patch).widened(&long).brdf(wo, wi)
+        }),
         case(GROUP, "many_lobes_mips", pixels(1.0), move |&(patch, wo, wi)| {
             with(1e9).lobe(dictionary, &patch).with_mips(&footprint, 0.5).brdf(wo, wi)
+        }),
+        // With its pdf, which is a whole evaluation.
+        case(GROUP, "many_lobes_sample", pixels(1.0), move |&(patch, wo, wi)| {
+            let drawn = with(1e9).lobe(dictionary, &patch).sample(wo, [wi[0].abs(); 7]);
+            drawn.map_or(0.0, |drawn| drawn.weight + drawn.pdf)
         }),
     ]
 }

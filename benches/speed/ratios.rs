@@ -38,7 +38,7 @@ const MAPS: [(&str, &str); 7] = [
 ];
 
 /// Glints by the pixel's aspect, by the number of details, and by mode; many lobes by aspect, number and filter.
-const GLINTS: [(&str, &str); 13] = [
+const GLINTS: [(&str, &str); 15] = [
     ("steep", "smooth_lobe"),
     ("grazing", "steep"),
     ("longest", "steep"),
@@ -51,7 +51,9 @@ const GLINTS: [(&str, &str); 13] = [
     ("many_lobes_longest", "many_lobes"),
     ("many_lobes_smooth", "smooth_lobe"),
     ("many_lobes_box", "many_lobes"),
+    ("many_lobes_long_box", "many_lobes"),
     ("many_lobes_mips", "many_lobes"),
+    ("many_lobes_sample", "many_lobes"),
 ];
 
 /// Rounds of a comparison, and passes over all samples in each turn of a round.

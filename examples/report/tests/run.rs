@@ -229,18 +229,18 @@ fn glints_have_pictures_tables_and_charts_of_their_own() {
     assert_self_contained(&page);
     assert!(page.contains("<h2>Glints</h2>") && text.contains("\nGlints\n"));
     assert!(page.contains("<h2>Facets</h2>") && text.contains("\nFacets\n"));
-    // The hall; of facets a tube and a ball with their differences, lobes, a zoom of two rows.
-    assert_eq!(page.matches("<img").count(), 2 + (6 + 6) + (4 + 3) + 6 + 2 * 8);
+    // The hall; of facets a tube, beads and a ball with their differences, lobes, a zoom of two rows.
+    assert_eq!(page.matches("<img").count(), 2 + (6 + 6) + (6 + 5) + (4 + 3) + 6 + 2 * 8);
     // Two keys of colours; two charts of cells, two of times, one of variance, four of error against run time; keys of
-    // differences, two charts of error against run time, two over facets; and the figures of filters without a renderer.
-    assert_eq!(page.matches("<svg").count(), 2 + 2 + 2 + 1 + 4 + (6 + 3 + 2 + 2) + 4 * 2 + 2);
+    // differences, three charts of error against run time, two over facets; and the figures of filters without a renderer.
+    assert_eq!(page.matches("<svg").count(), 2 + 2 + 2 + 1 + 4 + (6 + 5 + 3 + 3 + 2) + 4 * 2 + 2);
     // Dictionaries are published, too.
     for (name, rows) in [
         ("snow, 1000, ", 2 * 3),
         ("published", 2 + 4 + 2),
         ("grooves, ", 2 * 3),
         ("mips, s_K", 4),
-        ("LEAN with", 2),
+        ("LEAN with", 4),
     ] {
         let lines = text.lines().filter(|line| line.starts_with(name));
         assert_eq!(lines.count(), rows, "{name} in\n{text}");
@@ -251,7 +251,7 @@ fn glints_have_pictures_tables_and_charts_of_their_own() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("glints");
     let data = fs::read_to_string(folder.join("report.json")).unwrap();
     let names = "visited speed operations instructions judged gains ripples contests \
-                 tube sweep ball lobes zoom memory";
+                 tube sweep beads ball lobes zoom memory";
     for name in names.split_whitespace() {
         assert!(data.contains(&format!("\"{name}\": ")), "{name}");
     }

@@ -1,4 +1,4 @@
-//! What is seen: a bent tube, or a ball.
+//! What is seen: a bent tube, a ball, or many small ones.
 
 use crate::camera::Ray;
 use crate::frame::Comb;
@@ -9,6 +9,8 @@ use crate::vector::{Vector, add, dot, scaled, sub};
 pub(super) enum Body {
     Tube(Torus<f64>),
     Ball(Ball<f64>, Lambert<f64>),
+    /// In rows and columns at this distance, around a ball at the origin.
+    Beads(Ball<f64>, Lambert<f64>, f64),
 }
 
 /// Towards the eye.
@@ -26,28 +28,47 @@ impl Body {
         Self::Ball(Ball { centre: [0.0; 3], radius }, chart)
     }
 
+    /// Balls of this radius, each with a part of the texture of its own, and a fifth of their width between them.
+    pub(super) fn beads(radius: f64) -> Self {
+        let chart = Lambert { comb: Comb::around(FRONT), density: radius };
+        Self::Beads(Ball { centre: [0.0; 3], radius }, chart, 2.4 * radius)
+    }
+
     /// Where a ray meets it.
     pub(super) fn hit(&self, ray: &Ray<f64>) -> Option<Charted<f64>> {
         match self {
             Self::Tube(torus) => torus.charted(ray),
-            Self::Ball(ball, chart) => {
-                let (distance, normal) = ball.enter(ray)?;
-                let axes = [0, 1].map(|side| chart.comb.tangent(side, normal));
-                // A gradient by the coordinate's change along both tangents.
-                let [first, second] =
-                    axes.map(|axis| chart.change(normal, scaled(1.0 / ball.radius, axis)));
-                let gradients =
-                    [0, 1].map(|k| add(scaled(first[k], axes[0]), scaled(second[k], axes[1])));
-                Some(Charted {
-                    point: ray.at(distance),
-                    normal,
-                    tangent: axes[0],
-                    uv: chart.at(normal),
-                    gradients,
-                })
+            Self::Ball(ball, chart) => met(ball, chart, ray),
+            Self::Beads(ball, chart, pitch) => {
+                // Near enough to parallel: rays cross the middle plane beside the ball that they meet.
+                let [x, _, z] = ray.at(-ray.eye[1] / ray.direction[1]);
+                let place = [x, z].map(|x| (x / pitch).round());
+                let centre = [pitch * place[0], 0.0, pitch * place[1]];
+                let mut hit = met(&Ball { centre, ..*ball }, chart, ray)?;
+                hit.uv = [0, 1].map(|k| hit.uv[k] + APART * pitch * place[k]);
+                Some(hit)
             }
         }
     }
+}
+
+/// Distance of beads on the texture over that in space: they share neither facets nor, by half a map, texels.
+const APART: f64 = 1.37;
+
+/// Where a ray meets a ball.
+fn met(ball: &Ball<f64>, chart: &Lambert<f64>, ray: &Ray<f64>) -> Option<Charted<f64>> {
+    let (distance, normal) = ball.enter(ray)?;
+    let axes = [0, 1].map(|side| chart.comb.tangent(side, normal));
+    // A gradient by the coordinate's change along both tangents.
+    let [first, second] = axes.map(|axis| chart.change(normal, scaled(1.0 / ball.radius, axis)));
+    let gradients = [0, 1].map(|k| add(scaled(first[k], axes[0]), scaled(second[k], axes[1])));
+    Some(Charted {
+        point: ray.at(distance),
+        normal,
+        tangent: axes[0],
+        uv: chart.at(normal),
+        gradients,
+    })
 }
 
 /// How far along a ray a point of it is, in the ray's direction.

@@ -1,7 +1,7 @@
 //! Facets: filters of half vectors and of normal maps, for surfaces of many lobes in a pixel.
 //!
-//! After Chermain et al. 2021. On a bent tube half vectors differ over a pixel; on a ball so do the normals of a map. Here
-//! one surface has one truth, the mean over many points of a pixel, so single pixels compare.
+//! After Chermain et al. 2021. On a bent tube half vectors differ over a pixel, on a ball the normals of a map, on beads both.
+//! Here one surface has one truth, the mean over many points of a pixel, so single pixels compare.
 
 mod body;
 mod fibres;
@@ -22,7 +22,7 @@ pub(crate) use fibres::ASKEW;
 pub(crate) use lobes::{CORRELATIONS, COUNTS, Lobes, Shown};
 pub(crate) use memory::Memory;
 pub(crate) use method::{Filter, name};
-pub(crate) use scenes::{RADIUS, TEXELS};
+pub(crate) use scenes::{BEAD_TEXELS, RADIUS, TEXELS};
 pub(crate) use sweep::{SWEPT, Swept};
 pub(crate) use trial::{Entry, SURE, Trial};
 pub(crate) use zoom::{Frame, Zoom};
@@ -81,7 +81,7 @@ impl Plan {
 
 /// What `done` counts to, whatever the plan.
 pub(crate) fn steps() -> u64 {
-    5
+    6
 }
 
 /// All that was measured.
@@ -89,6 +89,7 @@ pub(crate) fn steps() -> u64 {
 pub(crate) struct Facets {
     pub(crate) tube: Trial,
     pub(crate) sweep: Vec<Swept>,
+    pub(crate) beads: Trial,
     pub(crate) ball: Trial,
     pub(crate) lobes: Lobes,
     pub(crate) zoom: Zoom,
@@ -102,13 +103,16 @@ impl Facets {
         done();
         let sweep = sweep::swept(plan.sweep, plan.sweep_side).map_err(error)?;
         done();
+        let beads = scenes::beads(plan)?;
+        done();
         let ball = scenes::ball(plan)?;
         done();
         let zoom = Zoom::seen(plan.zoom, plan.zoom_side).map_err(error)?;
         done();
         let lobes = Lobes::seen(plan.lobes).map_err(error)?;
         done();
-        Ok(Self { tube, sweep, ball, lobes, zoom, memory: Memory::counted().map_err(error)? })
+        let memory = Memory::counted().map_err(error)?;
+        Ok(Self { tube, sweep, beads, ball, lobes, zoom, memory })
     }
 }
 

@@ -1,4 +1,4 @@
-//! The two scenes of the comparison: a bent tube, and a ball with a normal map.
+//! The scenes of the comparison: a bent tube, and with a normal map beads and a ball.
 
 use lobe::Error;
 use lobe::slope::direction::normalize;
@@ -14,20 +14,22 @@ use crate::camera::{Camera, Size};
 use crate::scene::combed_map;
 use crate::vector::Vector;
 
-/// Radius of the tube in pixels.
+/// Radius of the tube, and of the beads, in pixels.
 pub(crate) const RADIUS: f64 = 12.0;
 
 /// Radii of the ring and of the ball over the picture's height.
 const RING: f64 = 0.36;
 const BALL: f64 = 0.46;
 
-/// Texels in a pixel, along either side, where the ball faces the eye.
+/// Texels in a pixel, along either side, where the ball faces the eye; and where the beads do: few enough that half vectors
+/// move by more than the map spreads them.
 pub(crate) const TEXELS: f64 = 8.0;
+pub(crate) const BEAD_TEXELS: f64 = 1.0;
 
-/// Roughness and facets in a pixel of the tube: half vectors move by a deviation and more in a pixel, as they do where
+/// Roughness and facets in a pixel of tube and beads: half vectors move by a deviation and more in a pixel, as they do where
 /// highlights are filtered at all, and no single glint decides over the error. Others are in `sweep`.
-const TUBE_ALPHA: f64 = 0.1;
-const TUBE_FACETS: f64 = 1e4;
+const BENT_ALPHA: f64 = 0.1;
+const BENT_FACETS: f64 = 1e4;
 
 /// The same of the ball: little roughness, and the map does the rest; as many facets as a surface far away has.
 const BALL_ALPHA: f64 = 0.12;
@@ -36,7 +38,12 @@ const BALL_FACETS: f64 = 1e5;
 /// Distance of the eye, in widths of the picture.
 const FAR: f64 = 5.0;
 
-fn stage(width: usize, body: Body, lights: &[Vector<f64>], fibres: Option<Fibres>) -> Stage {
+pub(super) fn stage(
+    width: usize,
+    body: Body,
+    lights: &[Vector<f64>],
+    fibres: Option<Fibres>,
+) -> Stage {
     let size = Size::of_width(width);
     let distance = FAR * width as f64;
     let lights = lights.iter().map(|&light| normalize(light)).collect();
@@ -58,15 +65,27 @@ pub(super) fn bent(width: usize) -> Stage {
 
 /// All filters on it.
 pub(super) fn tube(plan: &Plan) -> Result<Trial, Error> {
-    Trial::of(&bent(plan.width), &FILTERS, &setting(plan, TUBE_ALPHA, TUBE_FACETS))
+    Trial::of(&bent(plan.width), &FILTERS, &setting(plan, BENT_ALPHA, BENT_FACETS))
 }
 
-/// The ball under one light from the upper right.
-pub(super) fn ball(plan: &Plan) -> Result<Trial, String> {
+/// Under one light from the upper right, with a map of this many texels in a pixel.
+fn mapped(width: usize, body: Body, texels: f64) -> Result<Stage, String> {
     let map = combed_map()?;
-    let error = |error: Error| error.to_string();
-    let fibres = Fibres::of(&map.texture, TEXELS).map_err(error)?;
+    let fibres = Fibres::of(&map.texture, texels).map_err(|error| error.to_string())?;
+    Ok(stage(width, body, &[[0.5, -0.7, 0.5]], Some(fibres)))
+}
+
+/// The beads: curvature as the tube's, and the map.
+pub(super) fn beads(plan: &Plan) -> Result<Trial, String> {
+    let stage = mapped(plan.width, Body::beads(RADIUS), BEAD_TEXELS)?;
+    let setting = setting(plan, BENT_ALPHA, BENT_FACETS);
+    Trial::of(&stage, &MAPPINGS, &setting).map_err(|error| error.to_string())
+}
+
+/// The ball: the map, and hardly any curvature.
+pub(super) fn ball(plan: &Plan) -> Result<Trial, String> {
     let radius = BALL * Size::of_width(plan.width).height as f64;
-    let stage = stage(plan.width, Body::ball(radius), &[[0.5, -0.7, 0.5]], Some(fibres));
-    Trial::of(&stage, &MAPPINGS, &setting(plan, BALL_ALPHA, BALL_FACETS)).map_err(error)
+    let stage = mapped(plan.width, Body::ball(radius), TEXELS)?;
+    let setting = setting(plan, BALL_ALPHA, BALL_FACETS);
+    Trial::of(&stage, &MAPPINGS, &setting).map_err(|error| error.to_string())
 }

@@ -2,7 +2,7 @@ use super::Plan;
 use super::lobes::Lobes;
 use super::memory::Memory;
 use super::method::name;
-use super::scenes::{ball, tube};
+use super::scenes::{ball, beads, tube};
 use super::trial::{SURE, Trial};
 use super::zoom::Zoom;
 
@@ -34,6 +34,22 @@ fn on_a_tube_filters_have_the_published_order_and_the_box_is_the_best() {
     for entry in &trial.entries {
         assert!((entry.errors.energy - 1.0).abs() < 0.1, "{}: {:?}", entry.name, entry.errors);
     }
+}
+
+#[test]
+fn on_beads_with_a_normal_map_they_have_it_too_with_its_correlation_and_without() {
+    let trial = beads(&plan()).unwrap();
+    assert!(trial.pixels > 4000, "{}", trial.pixels);
+    for names in [
+        [name::WHOLE_HALF, name::WHOLE_ONE, name::WHOLE_NONE],
+        [name::WHOLE_HALF_SLOPE, name::WHOLE_ONE_SLOPE, name::WHOLE_NONE],
+        [name::APART_HALF, name::APART_ONE, name::APART_NONE],
+        [name::APART_HALF_SLOPE, name::APART_ONE_SLOPE, name::APART_NONE],
+    ] {
+        assert_rising(&trial, &names);
+    }
+    assert_rising(&trial, &[name::WHOLE, name::WHOLE_ONE]);
+    assert_rising(&trial, &[name::WHOLE, name::APART, name::MEAN]);
 }
 
 #[test]

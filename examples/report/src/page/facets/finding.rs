@@ -1,7 +1,9 @@
 //! What the figures of facets show, in numbers.
 
 use super::tables::amount;
-use crate::facets::{ASKEW, Frame, Lobes, Memory, RADIUS, SURE, Swept, TEXELS, Trial, Zoom, name};
+use crate::facets::{
+    ASKEW, BEAD_TEXELS, Frame, Lobes, Memory, RADIUS, SURE, Swept, TEXELS, Trial, Zoom, name,
+};
 use crate::page::axis::plain;
 use crate::page::table::significant;
 
@@ -31,8 +33,7 @@ fn order(trial: &Trial, names: &[&str]) -> String {
 
 /// Which filter is nearest, and what it costs.
 pub(super) fn tube(trial: &Trial) -> String {
-    let [none, half, one] = [name::NONE, name::HALF, name::ONE].map(|name| trial.rmse(name));
-    let published = if half < one && one < none { "as published" } else { "not as published" };
+    let published = published(trial, [name::HALF, name::ONE, name::NONE]);
     let of = |name: &str| {
         let overhead = trial.entry(name).and_then(|entry| trial.overhead(entry));
         overhead.map_or(String::new(), |share| {
@@ -53,6 +54,12 @@ pub(super) fn tube(trial: &Trial) -> String {
         of(name::BOX),
         of(name::HALF),
     )
+}
+
+/// Whether errors rise in the paper's order, s_K 0.5, 1, none.
+fn published(trial: &Trial, names: [&str; 3]) -> &'static str {
+    let [half, one, none] = names.map(|name| trial.rmse(name));
+    if half < one && one < none { "as published" } else { "not as published" }
 }
 
 /// Which of two methods has the smaller error, by how much, and whether that may be chance; as they are called here.
@@ -84,7 +91,7 @@ pub(super) fn sweep(swept: &[Swept]) -> String {
         boxed < half.min(one).min(none)
     });
     format!(
-        "s_K 0.5 is nearer than 1, as published: {}; 1 is nearer: {}; unsure: {}. None has the largest error in {} cases. The \
+        "s_K 0.5 is nearer than 1, as published: {}; 1 is nearer: {}; unsure: {}. The unfiltered picture has the largest error in {} cases. The \
          box has the smallest error of the four in {} of {} cases.",
         told(Some(true)),
         told(Some(false)),
@@ -114,6 +121,36 @@ const UNCORRELATED: [&str; 6] = [
     name::APART_HALF_SLOPE,
     name::APART_ONE_SLOPE,
 ];
+
+/// Filters on a curved surface with a map.
+pub(super) fn beads(trial: &Trial) -> String {
+    let whole = [name::WHOLE_HALF, name::WHOLE_ONE, name::WHOLE_NONE];
+    let apart = [name::APART_HALF, name::APART_ONE, name::APART_NONE];
+    format!(
+        "Balls of {RADIUS} pixels radius with wood fibre, {BEAD_TEXELS} texel a pixel in the middle, {ASKEW} degrees askew; {} RMSE \
+         in means, with \u{3c1}: {}, {}, {}; without: {}, {}, {}. The box comes to {} and {}. Derivatives, with \u{3c1} and s_K 0.5: {}, \
+         s_K 1: {}.",
+        facts(trial),
+        order(trial, &whole),
+        published(trial, whole),
+        nearer(
+            trial,
+            [name::WHOLE_HALF, name::WHOLE_ONE],
+            ["s_K 0.5 before 1", "s_K 1 before 0.5"]
+        ),
+        order(trial, &apart),
+        published(trial, apart),
+        nearer(
+            trial,
+            [name::APART_HALF, name::APART_ONE],
+            ["s_K 0.5 before 1", "s_K 1 before 0.5"]
+        ),
+        significant(trial.rmse(name::WHOLE)),
+        significant(trial.rmse(name::APART)),
+        nearer(trial, [name::WHOLE_HALF, name::WHOLE_HALF_SLOPE], ["disk", "slope"]),
+        nearer(trial, [name::WHOLE_ONE, name::WHOLE_ONE_SLOPE], ["disk", "slope"]),
+    )
+}
 
 /// What correlation is worth.
 pub(super) fn ball(trial: &Trial) -> String {

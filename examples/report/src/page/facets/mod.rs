@@ -1,4 +1,4 @@
-//! Facets on the page: filters on a tube, normal maps on a ball, correlation, a zoom, memory; the same as text.
+//! Facets on the page: filters on a tube, on beads and a ball with a normal map, correlation, a zoom, memory; the same as text.
 
 mod charts;
 mod finding;
@@ -8,7 +8,7 @@ mod tables;
 use super::part::Part;
 use crate::facets::Facets;
 
-fn parts(facets: &Facets) -> [Part<Facets>; 6] {
+fn parts(facets: &Facets) -> [Part<Facets>; 7] {
     [
         Part {
             title: "Half vectors that differ over a pixel",
@@ -25,6 +25,14 @@ fn parts(facets: &Facets) -> [Part<Facets>; 6] {
             tables: vec![tables::sweep(&facets.sweep)],
             drawn: false,
             note: tables::SWEEP_NOTE,
+        },
+        Part {
+            title: "Half vectors and a normal map at once",
+            finding: finding::beads(&facets.beads),
+            figures: |facets| pictures::beads(&facets.beads) + &charts::contest(&facets.beads),
+            tables: vec![tables::contest(&facets.beads)],
+            drawn: false,
+            note: tables::BEADS_NOTE,
         },
         Part {
             title: "Normal maps, with and without correlation",

@@ -83,6 +83,12 @@ pub(super) fn tube(trial: &Trial) -> String {
         )
 }
 
+/// The beads.
+pub(super) fn beads(trial: &Trial) -> String {
+    let names = [name::WHOLE_NONE, name::WHOLE_HALF, name::WHOLE_ONE, name::WHOLE, name::APART];
+    shown(trial, &names) + &differences(trial, &names)
+}
+
 /// The ball.
 pub(super) fn ball(trial: &Trial) -> String {
     let names = [name::MEAN, name::APART, name::WHOLE];
