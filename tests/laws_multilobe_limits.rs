@@ -5,6 +5,7 @@ mod common;
 #[path = "common/facets.rs"]
 mod facets;
 
+use common::ODD;
 use common::arbitrary::Source;
 use facets::{dictionary, kernels, roughness};
 use lobe::material::glint::Patch;
@@ -104,10 +105,6 @@ fn kernels_change_as_little_as_they_grow() {
         assert_continuous("no kernel", |step| pixel.widened(&kernel(step.max(0.0), step.max(0.0))));
     }
 }
-
-/// Numbers that are none, that have no sign, no size, or all of it.
-const ODD: [f64; 11] =
-    [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, 1e-45, 1e-30, -1.0, 0.3, 1e9, 1e30, 3.4e38];
 
 /// Law B1: no input is answered by no number, in one precision.
 fn any_input_gives_a_number<R: Real>() {

@@ -115,7 +115,7 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
-    /// WGSL: none, sampling is not mirrored.
+    /// WGSL: none, `lobe_patch_lobe_sample` between `lobe_mean_frame_to_local` and `lobe_mean_frame_to_tangent` there.
     pub fn sample(&self, wo: impl Into<[R; 3]>, u: [R; 7]) -> Option<Sampled<R>> {
         let drawn = self.lobe.sample(self.frame.to_local(wo), u)?;
         Some(Sampled { wi: self.frame.to_tangent(drawn.wi), ..drawn })
@@ -123,7 +123,7 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
 
     /// Density over solid angle with which [`MultiLobeShading::sample`] draws `wi`, for other ways of drawing it beside this one.
     ///
-    /// WGSL: none, sampling is not mirrored.
+    /// WGSL: none, `lobe_patch_lobe_pdf` after `lobe_mean_frame_to_local` there.
     pub fn pdf(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> R {
         self.lobe.pdf(self.frame.to_local(wo), self.frame.to_local(wi))
     }

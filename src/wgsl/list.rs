@@ -330,6 +330,7 @@ items! {
     MaterialMultilobeDictionary: file "material_multilobe_dictionary";
     MarginalDensity: fn "marginal_density", "Marginal::density";
     MarginalMean: fn "marginal_mean", "Marginal::mean";
+    MarginalQuantile: fn "marginal_quantile", "Marginal::quantile";
     MaterialMultilobeMarginal: file "material_multilobe_marginal";
     EllipseLimit: const "ELLIPSE_LIMIT", "ELLIPSE_LIMIT";
     MaterialMultilobeEllipse: file "material_multilobe_ellipse";
@@ -343,6 +344,10 @@ items! {
     PatchLobeD: fn "patch_lobe_d", "PatchLobe::d";
     PatchLobeBrdf: fn "patch_lobe_brdf", "PatchLobe::brdf";
     MaterialMultilobeLobe: file "material_multilobe_lobe";
+    PatchLobeSample: fn "patch_lobe_sample", "PatchLobe::sample";
+    PatchLobePdf: fn "patch_lobe_pdf", "PatchLobe::pdf";
+    PatchLobeSampleSlope: fn "patch_lobe_sample_slope", "PatchLobe::sample_slope";
+    MaterialMultilobeSample: file "material_multilobe_sample";
     MultiLobeNew: fn "multi_lobe_new", "MultiLobe::new";
     MultiLobeFacetSize: fn "multi_lobe_facet_size", "MultiLobe::facet_size";
     MultiLobeLobe: fn "multi_lobe_lobe", "MultiLobe::lobe";

@@ -131,6 +131,8 @@ modules! {
     #[cfg(feature = "glint")]
     "material/multilobe/lobe",
     #[cfg(feature = "glint")]
+    "material/multilobe/sample",
+    #[cfg(feature = "glint")]
     "material/multilobe/material",
     "shade",
     #[cfg(feature = "glint")]

@@ -16,6 +16,27 @@ use proptest::test_runner::{
 pub(crate) const ULP: f64 = f64::EPSILON;
 pub(crate) const ULP_SINGLE: f64 = f32::EPSILON as f64;
 
+/// Numbers that are none, have no sign or no size, lie at an end of a range, or are as large as they get in f32.
+pub(crate) const ODD: [f64; 17] = [
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    0.0,
+    -0.0,
+    1e-45,
+    1e-30,
+    1e-9,
+    0.3,
+    0.5,
+    1.0,
+    -1.0,
+    4.0,
+    -4.0,
+    1e9,
+    1e30,
+    f32::MAX as f64,
+];
+
 /// Runs a law on `cases` inputs, the same ones every time; a failure is shrunk towards plain inputs.
 #[track_caller]
 pub(crate) fn check(cases: u32, law: impl Fn(&mut Source) -> TestCaseResult) {

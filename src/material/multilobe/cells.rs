@@ -84,19 +84,24 @@ impl<R: Real> Cells<R> {
         mean
     }
 
-    /// Calls `f` with the share of every cell, which sum to 1, and what it has drawn.
-    #[inline]
-    pub(super) fn visit(&self, recipe: &Recipe, mut f: impl FnMut(R, Option<Facets<R>>)) {
+    /// What the cell has drawn in which the sum of shares, which is 1 over all, passes `u`; none: the smooth lobe.
+    pub(super) fn chosen(&self, recipe: &Recipe, u: R) -> Option<Facets<R>> {
+        let (mut chosen, mut sum) = (None, R::ZERO);
         for (step, share) in self.levels() {
             if share > R::ZERO {
+                // Twice over the cells: for the sum of their weights, and with it for their shares.
                 let mut whole = R::ZERO;
                 self.level(step, |weight, _| whole = whole + weight);
                 let share = share / whole;
                 self.level(step, |weight, cell| {
-                    f(share * weight, self.numbers(recipe, cell, step));
+                    if chosen.is_none() || sum <= u {
+                        chosen = Some((cell, step));
+                    }
+                    sum = sum + share * weight;
                 });
             }
         }
+        chosen.and_then(|(cell, step)| self.numbers(recipe, cell, step))
     }
 
     /// Both levels and their shares.

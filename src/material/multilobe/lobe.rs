@@ -224,9 +224,9 @@ impl<'a, R: Real> PatchLobe<'a, R> {
         self.cells.are_smooth(self.dictionary.recipe())
     }
 
-    /// Calls `f` with the share of every cell, which sum to 1, and what it has drawn.
+    /// What one of its cells has drawn, by a uniform number; none: the smooth lobe.
     #[inline]
-    pub(super) fn visit(&self, f: impl FnMut(R, Option<Facets<R>>)) {
-        self.cells.visit(self.dictionary.recipe(), f);
+    pub(super) fn chosen(&self, u: R) -> Option<Facets<R>> {
+        if self.is_smooth() { None } else { self.cells.chosen(self.dictionary.recipe(), u) }
     }
 }

@@ -182,7 +182,7 @@ impl<'a, R: Real> Marginal<'a, R> {
 
     /// The `x` below which a share `u` of the density lies, with u in [0, 1]: exact for the linear interpolant.
     ///
-    /// WGSL: none, sampling is not mirrored.
+    /// WGSL: `lobe_marginal_quantile`.
     pub fn quantile(&self, u: R) -> R {
         let (zero, one) = (R::ZERO, R::ONE);
         let offset = u.max(zero).min(one) - R::HALF;

@@ -47,7 +47,7 @@ impl<R: Real> PatchLobe<'_, R> {
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
-    /// WGSL: none, sampling is not mirrored.
+    /// WGSL: `lobe_patch_lobe_sample`.
     pub fn sample(&self, wo: impl Into<[R; 3]>, u: [R; 7]) -> Option<Sampled<R>> {
         let wo = wo.into();
         if !(wo[2] > R::ZERO) {
@@ -71,7 +71,7 @@ impl<R: Real> PatchLobe<'_, R> {
     /// Density over solid angle with which [`PatchLobe::sample`] draws `wi`: $G_1(w_o, h) D(h)/(4 o_z)$, 0 for `wo` below the
     /// horizon. Over all `wi`, those below the horizon included, its integral is 1.
     ///
-    /// WGSL: none, sampling is not mirrored.
+    /// WGSL: `lobe_patch_lobe_pdf`.
     pub fn pdf(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> R {
         let (wo, wi) = (wo.into(), wi.into());
         let h = half_vector(wo, wi);
@@ -85,19 +85,9 @@ impl<R: Real> PatchLobe<'_, R> {
 
     /// A slope of [`PatchLobe::slope_pdf`], by the first six of those numbers.
     ///
-    /// WGSL: none, sampling is not mirrored.
+    /// WGSL: `lobe_patch_lobe_sample_slope`.
     pub fn sample_slope(&self, u: [R; 7]) -> [R; 2] {
-        // The cell in which the sum of shares passes the first number.
-        let (mut chosen, mut sum) = (None, R::ZERO);
-        if !self.is_smooth() {
-            self.visit(|share, facets| {
-                if chosen.is_none() || sum <= u[0] {
-                    chosen = Some(facets);
-                }
-                sum = sum + share;
-            });
-        }
-        let Some(facets) = chosen.flatten() else {
+        let Some(facets) = self.chosen(u[0]) else {
             return self.sample_smooth([u[1], u[2]]);
         };
         let plane = Plane::new(self.roughness(), self.kernel(), None);

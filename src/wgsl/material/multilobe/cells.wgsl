@@ -45,6 +45,51 @@ fn lobe_cells_are_smooth(cells: LobeCells, levels: u32) -> bool {
     return cells.facets - LOBE_CELLS_QUANTILE * cells.variation > f32(levels);
 }
 
+// Rust: `Cells::chosen`.
+fn lobe_cells_chosen(cells: LobeCells, dictionary: LobeDictionary, u: f32) -> LobeFacets {
+    var chosen = LobeCell(vec4u(0u, 0u, 0u, 0u));
+    var chosen_step = -1;
+    var sum = 0.0;
+    for (var step = 0; step < 2; step++) {
+        let level = select(1.0 - cells.coarser, cells.coarser, step == 1);
+        if level > 0.0 {
+            let rows = lobe_ellipse_rows(cells.ellipse, cells.exponent + step);
+            // Twice over the cells: for the sum of their weights, and with it for their shares.
+            var whole = 0.0;
+            var share = 0.0;
+            for (var turn = 0; turn < 2; turn++) {
+                for (var j = 0; j < LOBE_ELLIPSE_ROWS; j++) {
+                    let t = rows.first + j;
+                    if t > rows.last {
+                        break;
+                    }
+                    let row = lobe_ellipse_row(rows, t);
+                    for (var i = 0; i < LOBE_ELLIPSE_ROWS; i++) {
+                        let s = row.first + i;
+                        if s > row.last {
+                            break;
+                        }
+                        let weight = lobe_ellipse_weight(row, s);
+                        if weight > 0.0 {
+                            if turn == 0 {
+                                whole = whole + weight;
+                            } else {
+                                if chosen_step < 0 || sum <= u {
+                                    chosen = lobe_cell_at(vec2i(s, t), cells.exponent + step, cells.seed);
+                                    chosen_step = step;
+                                }
+                                sum = sum + share * weight;
+                            }
+                        }
+                    }
+                }
+                share = level / whole;
+            }
+        }
+    }
+    return lobe_cells_numbers(cells, dictionary, chosen, chosen_step);
+}
+
 // Rust: `Cells::numbers`.
 fn lobe_cells_numbers(cells: LobeCells, dictionary: LobeDictionary, cell: LobeCell, step: i32) -> LobeFacets {
     let words = cell.words;

@@ -67,3 +67,30 @@ fn lobe_marginal_mean(marginal: LobeMarginal, x: f32, width: f32) -> f32 {
         lobe_marginal_node(marginal, last).y - lobe_marginal_node(marginal, first + 1).y;
     return lobe_defined((left + right + cumulative * scale) / whole);
 }
+
+// Rust: `Marginal::quantile`. A number beyond [0, 1] counts as the nearest, NaN as 0.
+fn lobe_marginal_quantile(marginal: LobeMarginal, u: f32) -> f32 {
+    let offset = lobe_min(lobe_max(u, 0.0), 1.0) - 0.5;
+    let goal = abs(offset);
+    // The first node whose cumulative is above the goal, by halves: tables have 4097 nodes at most.
+    var low = 0;
+    var high = marginal.intervals + 1;
+    for (var step = 0; step < 13; step++) {
+        if low < high {
+            let middle = (low + high) / 2;
+            let below = lobe_marginal_node(marginal, middle).y <= goal;
+            low = select(low, middle + 1, below);
+            high = select(middle, high, below);
+        }
+    }
+    let last = marginal.intervals - 1;
+    let k = select(select(last, low - 1, low - 1 < last), 0, low == 0);
+    let node = lobe_marginal_node(marginal, k);
+    let next = lobe_marginal_node(marginal, k + 1);
+    let scale = f32(marginal.intervals) / 4.0;
+    let rest = lobe_max(goal - node.y, 0.0) * scale;
+    let root = sqrt(lobe_max(node.x * node.x + 2.0 * (next.x - node.x) * rest, 0.0));
+    let part = lobe_min(2.0 * rest / lobe_max(node.x + root, LOBE_MIN_POSITIVE), 1.0);
+    let x = (f32(k) + part) / scale;
+    return select(x, -x, offset < 0.0);
+}

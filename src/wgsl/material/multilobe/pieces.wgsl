@@ -81,6 +81,14 @@ fn lobe_pieces_piece(pieces: LobePieces, k: i32) -> LobePiece {
     );
 }
 
+// Rust: `Pieces::piece_at`.
+fn lobe_pieces_piece_at(pieces: LobePieces, u: f32) -> LobePiece {
+    let place = (u - 0.5) * pieces.along / pieces.longest + 0.5;
+    let k = lobe_floor(place);
+    let from_first = select(pieces.first, k, k > pieces.first);
+    return lobe_pieces_piece(pieces, select(pieces.last, from_first, from_first < pieces.last));
+}
+
 // Rust: `Piece::widths`.
 fn lobe_pieces_widths(piece: LobePiece, turn: vec2f) -> vec2f {
     let c = piece.axis.x * turn.x + piece.axis.y * turn.y;

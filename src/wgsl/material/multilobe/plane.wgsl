@@ -23,6 +23,11 @@ fn lobe_plane_new(roughness: LobeRoughness, kernel: LobeKernel) -> LobePlane {
     return LobePlane(mapping, lobe_defined(1.0 / (a * c)), lobe_pieces_of(lobe_psd_outer_sum(u, v)));
 }
 
+// Rust: `Plane::slope`.
+fn lobe_plane_slope(plane: LobePlane, place: vec2f) -> vec2f {
+    return vec2f(plane.mapping.x * place.x + plane.mapping.y * place.y, plane.mapping.z * place.y);
+}
+
 // WGSL only: what `Plane::around` returns as a pair.
 struct LobePlaneAround {
     plane: LobePlane,

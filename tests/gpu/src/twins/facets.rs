@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::{LazyLock, Mutex};
 
 use lobe::material::Fresnel;
-use lobe::material::multilobe::{Dictionary, Means, PatchLobe, Recipe};
+use lobe::material::multilobe::{Dictionary, Means, PatchLobe, Recipe, Sampled};
 use lobe::ndf::{cavity_masking, cavity_masking_shadowing};
 use lobe::shade::MultiLobeMaterial;
 use lobe::slope::MeanFrame;
@@ -32,6 +32,9 @@ const RECIPE: Recipe = Recipe {
 /// cells if it is square, 30 in the mean over these inputs.
 const LEVELS: f64 = 30.0 * 3.5e-5;
 
+/// The same of one that is drawn: a cell by a sum of up to 60 shares, a piece of a kernel and a side by a few numbers each.
+const DRAWN: f64 = LEVELS + (60.0 + 20.0) * 2.0 * 6e-8;
+
 /// The dictionary in any precision, made once.
 pub(super) fn dictionary<R: Real>() -> &'static Dictionary<R> {
     type Made = HashMap<TypeId, &'static (dyn Any + Send + Sync)>;
@@ -53,6 +56,17 @@ impl<R: Real> Flat<R> for PatchLobe<'_, R> {
     const WGSL: &'static str = "put(0u, f32(r.cells.exponent)); put(1u, r.cells.coarser);";
     fn flat(self, out: &mut Vec<R>) {
         out.extend([R::lit(f64::from(self.exponent())), self.coarser()]);
+    }
+}
+
+/// Without the pdf, which has a twin of its own: of a direction that is off by a rounding it has no bound.
+impl<R: Real> Flat<R> for Option<Sampled<R>> {
+    const WGSL: &'static str =
+        "put(0u, r.wi.x); put(1u, r.wi.y); put(2u, r.wi.z); put(3u, r.weight);";
+    fn flat(self, out: &mut Vec<R>) {
+        let (wi, weight) =
+            self.map_or(([R::ZERO; 3], R::ZERO), |sampled| (sampled.wi, sampled.weight));
+        out.extend(wi.into_iter().chain([weight]));
     }
 }
 
@@ -100,6 +114,11 @@ super::twins! {
         let marginal = dictionary::<R>().marginal(x.word(), x.word());
         marginal.mean(x.f(), x.f())
     };
+    "marginal_quantile" (Marginal, Unit)
+        "lobe_marginal_quantile(lobe_dictionary_marginal(LobeDictionary(48u, 8u, 64u), $0), $1)" => |x| {
+        let marginal = dictionary::<R>().marginal(x.word(), x.word());
+        marginal.quantile(x.f())
+    };
     "multi_lobe_new" flips SIZES (Facets, Patch)
         "lobe_multi_lobe_lobe(lobe_multi_lobe_new($0.roughness, $0.density), LobeDictionary(48u, 8u, 64u), $1)" => |x| {
         pixel::<R>(x)
@@ -142,6 +161,25 @@ super::twins! {
         let pixel = pixel::<R>(x);
         let pixel = pixel.widened(&x.kernel());
         pixel.brdf(x.vec::<R, 3>(), x.vec::<R, 3>())
+    };
+    "patch_lobe_pdf" flips LEVELS (Facets, Patch, Blurring, Mirrored)
+        "lobe_patch_lobe_pdf(lobe_patch_lobe_widened(patched($0, $1), $2), $3)" => |x| {
+        let pixel = pixel::<R>(x);
+        let pixel = pixel.widened(&x.kernel());
+        pixel.pdf(x.vec::<R, 3>(), x.vec::<R, 3>())
+    };
+    "patch_lobe_sample_slope" flips DRAWN (Facets, Patch, Blurring, Numbers)
+        "lobe_patch_lobe_sample_slope(lobe_patch_lobe_widened(patched($0, $1), $2), $3)" => |x| {
+        let pixel = pixel::<R>(x);
+        let pixel = pixel.widened(&x.kernel());
+        pixel.sample_slope([0; 7].map(|_| x.f()))
+    };
+    "patch_lobe_sample" flips DRAWN (Facets, Patch, Blurring, Direction, Numbers)
+        "lobe_patch_lobe_sample(lobe_patch_lobe_widened(patched($0, $1), $2), $3, $4)" => |x| {
+        let pixel = pixel::<R>(x);
+        let pixel = pixel.widened(&x.kernel());
+        let wo = x.vec::<R, 3>();
+        pixel.sample(wo, [0; 7].map(|_| x.f()))
     };
     "patch_lobe_evaluate" flips LEVELS (Facets, Patch, Tilt, Relief, Mirrored, Reflectance)
         "lobe_patch_lobe_evaluate(

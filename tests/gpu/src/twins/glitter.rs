@@ -25,6 +25,9 @@ pub(super) fn wgsl(input: Input, at: impl Fn(usize) -> String) -> Option<String>
             let roughness = format!("lobe_roughness_from_matrix({psd})");
             format!("faceted({roughness}, {}, {}, {}, {})", at(3), at(4), at(5), bits(6))
         }
+        Input::Numbers => {
+            format!("array<f32, 7>({})", [0, 1, 2, 3, 4, 5, 6].map(at).join(", "))
+        }
         Input::Marginal => format!("{}, {}", bits(0), bits(1)),
         Input::Patch => format!("LobePatch({}, {}, {})", pair(0), pair(2), pair(4)),
         Input::Mirrored => format!("{}, {}", triple(0), triple(3)),
@@ -72,8 +75,14 @@ pub(super) fn draw(input: Input, s: &mut Source, drawn: &mut Drawn, out: &mut Ve
             let lobe = drawn.lobe.expect("a lobe before its kernel");
             // Large ones are cut in pieces, whose ends move against each other: what a bound adds up, a sum does not.
             let most = if s.pick(8) == 0 { 3.0 } else { 0.05 };
-            let mut side = || lobe.slope_at(s.vector(1e-3, most));
-            put(&[side(), side()].concat());
+            let [x, y] = s.vector(1e-3, most);
+            // Now and then one that is round in the lobe's plane.
+            let other = if s.pick(64) == 0 { [-y, x] } else { s.vector(1e-3, most) };
+            put(&[[x, y], other].map(|side| lobe.slope_at(side)).concat());
+        }
+        // At the ends tables are next to nothing, and a bound of what is drawn there says nothing.
+        Input::Numbers => {
+            put(&[0; 7].map(|_| if s.pick(99) == 0 { unit(s) } else { s.uniform(0.02, 0.98) }))
         }
         Input::Marginal => out.extend([60, 10].map(|most| f32::from_bits(s.pick(most) as u32))),
         Input::Patch => put(&patch(s)),

@@ -121,6 +121,8 @@ pub enum Input {
     Blurring,
     /// The number of a marginal and its level, now and then beyond the last.
     Marginal,
+    /// Seven uniform numbers.
+    Numbers,
 }
 
 /// What later groups want to know of earlier ones.
@@ -164,7 +166,7 @@ impl Input {
             | Self::Node
             | Self::Biscale => 4,
             Self::Lobe => 5,
-            Self::Facets => 7,
+            Self::Facets | Self::Numbers => 7,
             Self::Pair | Self::Unorm | Self::Patch | Self::Mirrored => 6,
             Self::Glints => 8,
             Self::Halves => 9,
