@@ -82,7 +82,7 @@ pub(super) fn draw(input: Input, s: &mut Source, drawn: &mut Drawn, out: &mut Ve
         }
         // At the ends tables are next to nothing, and a bound of what is drawn there says nothing.
         Input::Numbers => {
-            put(&[0; 7].map(|_| if s.pick(99) == 0 { unit(s) } else { s.uniform(0.02, 0.98) }))
+            put(&[0; 7].map(|_| if s.pick(99) == 0 { unit(s) } else { s.uniform(0.02, 0.98) }));
         }
         Input::Marginal => out.extend([60, 10].map(|most| f32::from_bits(s.pick(most) as u32))),
         Input::Patch => put(&patch(s)),
