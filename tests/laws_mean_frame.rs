@@ -1,4 +1,5 @@
-//! The frame about a mean slope: a rotation, with the derivative it says, and what the facade makes of it.
+//! The frame about a mean slope: a rotation, with the derivative it says. What the facade draws in it is in
+//! laws_multilobe_sampling.rs.
 
 mod common;
 

@@ -31,11 +31,9 @@ const REACH: f64 = 8.7;
 /// Law C3: every pixel's density integrates to 1, whatever filters it.
 #[test]
 fn every_pixel_s_density_integrates_to_one() {
-    for index in 0..3 {
-        for (k, pixel) in
-            variants(pixel([1.0, 30.0, 1e4][index as usize % 3], index)).iter().enumerate()
-        {
-            let whole = integral(|slope| pixel.slope_pdf(slope), REACH, 400);
+    for index in 0..2 {
+        for (k, pixel) in variants(pixel([1.0, 1e3][index as usize], index)).iter().enumerate() {
+            let whole = integral(|slope| pixel.slope_pdf(slope), REACH, 360);
             // A sum of midpoints over lines between nodes, turned by anything.
             assert!((whole - 1.0).abs() < 1e-3, "{index}, variant {k}: {whole}");
         }
@@ -95,7 +93,7 @@ fn masking_is_exact() {
         let wo = [angle.sin() * turn.cos(), angle.sin() * turn.sin(), angle.cos()];
         let pixel = pixel([3.0, 1e3][usize::from(index % 2)], index.into());
         // Of all forms of kernels some with each view.
-        for pixel in variants(pixel).into_iter().skip(usize::from(index % 4)).step_by(4) {
+        for pixel in variants(pixel).into_iter().skip(usize::from(index)).step_by(5) {
             // D dm = P22 ds / m_z.
             let seen = |slope: [f64; 2]| {
                 let m = normal_of(slope);

@@ -1,5 +1,5 @@
 //! Many lobes across scales: what a cell keeps of its finer one, how a pixel calms down, and that no axis is special (laws
-//! C11, C14 and B2; C15, of the cells' numbers, is in laws_cells.rs).
+//! C11, C14 and B2; C15, of the cells' numbers, is in laws_cells.rs and src/material/glint/cell.rs).
 #![cfg(feature = "glint")]
 
 mod common;

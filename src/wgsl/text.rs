@@ -61,8 +61,8 @@ pub(super) fn uses(code: &'static str) -> impl Iterator<Item = &'static str> {
 
 /// The WGSL text of these items and of everything they use, each once and in the order of the files; nothing else.
 ///
-/// No entry points, no directives, and no bindings but a dictionary's buffer: append your shader to it. The same items in any order, or twice, give
-/// the same text; none give an empty one.
+/// No entry points, no directives, and no bindings but a dictionary's buffer: append your shader to it. The same items in
+/// any order, or twice, give the same text; none give an empty one.
 ///
 /// ```
 /// use lobe::wgsl::{Item, source};

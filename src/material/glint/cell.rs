@@ -111,8 +111,8 @@ fn canonical(index: i32, exponent: i32) -> (i32, i32) {
 mod tests {
     use super::Cell;
 
-    /// Every byte of every word is uniform at every level: models cut channels of them where they like (law C15). Chi-squared of 255
-    /// degrees over them, at most 1.3 per degree over a square of cells, of which chance has one in a thousand.
+    /// Every byte of every word is uniform at every level: models cut channels of them where they like (law C15). Chi-squared
+    /// of 255 degrees, at most 1.3 per degree over a square of cells, which chance exceeds once in a thousand times.
     #[test]
     fn every_byte_is_uniform_at_every_level() {
         let (mut worst, mut above, mut count) = (0.0_f64, 0, 0);

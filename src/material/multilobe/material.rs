@@ -45,9 +45,9 @@ impl<R: Real> MultiLobe<R> {
     /// From the roughness from afar and the number of facets per unit area of the texture, in the median of its cells:
     /// published are logarithms of it, from $e^{15}$, which glitters, to $e^{50}$, smooth.
     ///
-    /// Cells vary by powers of 4 ([`MultiLobe::with_variation`]) and have no less than one, so that their mean is more: of many
-    /// facets, with a deviation of 2, 55 times that. Deviations of the lobe below 1e-9, also across a correlation near $\pm 1$, count as
-    /// 1e-9; a mirror has no density until a kernel widens it.
+    /// Cells vary by powers of 4 ([`MultiLobe::with_variation`]) and have no less than one, so that their mean is more: of
+    /// many facets, with a deviation of 2, 55 times that. Deviations of the lobe below 1e-9, also across a correlation
+    /// near $\pm 1$, count as 1e-9; a mirror has no density until a kernel widens it.
     ///
     /// # Errors
     /// [`Error::Facets`] unless in $[10^{-18}, 10^{30}]$.
