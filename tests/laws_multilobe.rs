@@ -33,7 +33,9 @@ const REACH: f64 = 8.7;
 fn every_pixel_s_density_integrates_to_one() {
     for index in 0..2 {
         for (k, pixel) in variants(pixel([1.0, 1e3][index as usize], index)).iter().enumerate() {
-            let whole = integral(|slope| pixel.slope_pdf(slope), REACH, 360);
+            // Unfiltered lobes end sooner, and have kinks at nodes 1/16 apart.
+            let (reach, nodes) = if [0, 2].contains(&k) { (5.7, 460) } else { (REACH, 400) };
+            let whole = integral(|slope| pixel.slope_pdf(slope), reach, nodes);
             // A sum of midpoints over lines between nodes, turned by anything.
             assert!((whole - 1.0).abs() < 1e-3, "{index}, variant {k}: {whole}");
         }
