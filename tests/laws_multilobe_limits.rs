@@ -155,18 +155,6 @@ fn any_input_gives_a_number_in_double_precision() {
     any_input_gives_a_number::<f64>();
 }
 
-/// NaN counts as 0, in coordinates as in derivatives.
-#[test]
-fn no_number_counts_as_0() {
-    let nan = f64::NAN;
-    let at = |uv, right, up| {
-        facets(3.0, 1).lobe(dictionary(), &Patch::new(uv, right, up)).slope_pdf([0.1, 0.05])
-    };
-    let want = at([0.0, 0.4], [1.0, 0.0], [0.0, 2.0]);
-    assert_eq!(at([nan, 0.4], [1.0, 0.0], [0.0, 2.0]), want);
-    assert_eq!(at([0.0, 0.4], [1.0, nan], [nan, 2.0]), want);
-}
-
 #[test]
 fn surfaces_out_of_range_are_refused() {
     let roughness = roughness();

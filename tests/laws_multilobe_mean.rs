@@ -60,7 +60,7 @@ fn seen(dictionary: &Dictionary<f64>, level: u32, radius: f64, width: f64, count
     }
     let mean = sum / f64::from(count);
     let variance = squares / f64::from(count) - mean * mean;
-    [mean, variance / (mean * mean), (variance / f64::from(count)).sqrt()]
+    [mean, variance / (mean * mean), (variance.max(0.0) / f64::from(count)).sqrt()]
 }
 
 fn smooth(radius: f64) -> f64 {
@@ -97,7 +97,8 @@ fn under_kernels_the_mean_is_that_of_boxes() {
             let want = drawn(dictionary(), 3, radius, width, 1);
             let [mean, _, error] = seen(dictionary(), 3, radius, width, 8000);
             println!("width {width}, {radius}: {mean} +- {error}, want {want}");
-            assert!((mean - want).abs() < 4.0 * error + 1e-12, "width {width}, {radius}");
+            // Lobes count as wider by a millionth of the kernel's variance, which is up to 5.3.
+            assert!((mean - want).abs() < 4.0 * error + 1e-5 * want, "width {width}, {radius}");
         }
     }
     // As documented: of a kernel of the lobe's deviation, and of one against which the lobe is nothing.

@@ -124,7 +124,7 @@ fn growing_pixels_calm_down() {
     }
 }
 
-/// Within an octave it falls below its end, as a blend of two levels varies less than either, and rises again by 23 %.
+/// Within an octave it falls below its end, by 19 % of that, and rises again: a blend of two levels varies less than either.
 #[test]
 fn between_levels_pixels_are_calmer() {
     for octave in [3, 5] {
@@ -134,7 +134,7 @@ fn between_levels_pixels_are_calmer() {
         let (first, last) = (variances[0], variances[8]);
         assert!(lowest < last && last < first, "{variances:?}");
         // Blends of two independent halves have half the variance; these are kin.
-        assert!((1.1..1.3).contains(&(last / lowest)), "{variances:?}");
+        assert!((0.75..0.87).contains(&(lowest / last)), "{variances:?}");
     }
 }
 

@@ -10,8 +10,8 @@ use crate::scalar::Real;
 use crate::scalar::hash::{tail, uniform};
 use crate::scalar::quantile::normal_quantile;
 
-/// Cells from the origin, as a power of two, beyond which f32 has no fraction of a cell left that is worth a weight, and f64 no
-/// index.
+/// Cells from the origin, as a power of two: beyond it f32 places a pixel within a cell too coarsely for its weights, and in
+/// f64 indices end.
 fn farthest<R: Real>() -> i32 {
     if R::SINGLE { 20 } else { 28 }
 }

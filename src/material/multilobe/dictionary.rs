@@ -10,7 +10,7 @@ use super::recipe::Recipe;
 use crate::error::Error;
 use crate::scalar::Real;
 
-/// Marginal densities of unit variance, but for what is cut, even, on nested levels of 1, 2, 4, ... pairs of lobes.
+/// Marginal densities, even, of unit variance in their mean but for what is cut, on nested levels of 1, 2, 4, ... pairs of lobes.
 ///
 /// Level L of a marginal has the first $2^L$ of its lobes, $p_L(x) = \frac{1}{2 \cdot 2^L} \sum_k g(x - \mu_k) + g(x +
 /// \mu_k)$, cut at 4 deviations; what is stored are its nodes, with the integral of their linear interpolant, which is 1

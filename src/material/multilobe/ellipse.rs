@@ -53,10 +53,15 @@ impl<R: Real> Ellipse<R> {
         let square = Psd::outer_sum(right, up);
         let eigen = square.eigen();
         let limit = R::lit(f64::from(ELLIPSE_LIMIT * ELLIPSE_LIMIT));
-        let missing = (eigen.major / limit - eigen.minor).max(R::ZERO);
-        let [x, y] = eigen.axis.map(|c| c * missing.sqrt());
-        let square = square.plus(&Psd::outer_sum([-y, x], [R::ZERO; 2]));
-        let width = (eigen.minor + missing).sqrt();
+        let least = eigen.major / limit;
+        // Not by a sum, whose determinant small pixels have no digits for.
+        let square = if eigen.minor < least {
+            let [x, y] = eigen.axis;
+            Psd::from_axes(eigen.major.sqrt(), least.sqrt(), x, y)
+        } else {
+            square
+        };
+        let width = eigen.minor.max(least).sqrt();
         Self { uv: finite(patch.uv), square, width }
     }
 

@@ -14,18 +14,21 @@ use crate::slope::{Footprint, Full, MeanFrame, Roughness, Shape, SlopeMoments};
 /// A pixel of a surface of many facets, for any number of lights.
 ///
 /// $P_{22}(s) = \sum_l w_l \sum_c W_c P_c(s)$. Two levels of cells are blended, as in a mip chain; cells of the finer one are
-/// no wider than the pixel's shorter axis. Cells of a level count by $W \propto e^{-2r^2} - e^{-2}$, where r is 1 on an ellipse
+/// no wider than the pixel's shorter axis, or than one facet's square where that is more. Cells of a level count by $W \propto e^{-2r^2} - e^{-2}$, where r is 1 on an ellipse
 /// whose half axes are the derivatives' singular values, grown by a cell. Each has a density of its own, $P_c(s) = p_i(x)\,
 /// p_j(y)/|\det M|$ at $(x, y) = R^{-1} M^{-1} s$, with Chermain's matrix M ([`Roughness::chermain_matrix`] of $\sigma_o =
 /// 1$) and a rotation R, marginals i and j and their level from its random numbers: $4^{L + 1}$ lobes for $4^L$ facets, and
 /// beyond the dictionary's last level the Gaussian that all tend to. A coarse cell has the numbers of the finer cell at its lower
 /// left corner, and four times the facets, so that glints stay where they are.
 ///
-/// The integral is 1 in every pixel, as far as tables reach, 4 deviations along each axis of a cell. The mean over pixels is
-/// the smooth lobe within 2 % up to two deviations (tests/laws_multilobe_mean.rs); farther out, where cells have few facets,
-/// it has what reach a dictionary's lobes have. Between two levels pixels are calmer than at either: as they grow, their
-/// variance halves with every octave, but within one it falls by more, and rises again by 23 %
-/// (tests/laws_multilobe_scales.rs).
+/// The integral is 1 in every pixel; tables end at 4 deviations along each axis of a cell. The mean over pixels is the
+/// smooth lobe within 2 % up to two deviations (tests/laws_multilobe_mean.rs); beyond three, where cells have few facets, it
+/// is less, as 192 lobes on an axis seldom reach that far. As a pixel grows, the variance of its density over the surface halves with
+/// every doubling of its width. It does not fall evenly: a blend of two levels varies less than either, so that halfway
+/// between them it is lower than at the next level, by 19 % (tests/laws_multilobe_scales.rs).
+///
+/// Everything is continuous in the pixel, its kernel, the normal map and the roughness. Not so in density, variation and
+/// share, with which single cells change at once: they belong to a surface, and no texture should hold them.
 ///
 /// Masking is that of V-cavities, exact for it ([`cavity_masking`]). Directions in the shading frame: its normal is the mean
 /// of the slopes, as no masking of cavities with another mean is known.
@@ -86,8 +89,9 @@ impl<'a, R: Real> PatchLobe<'a, R> {
     ///
     /// The kernel is taken as a rectangle of its covariance, cut along its long side into pieces of 1.5 deviations of the lobe, or
     /// of its width where that is more. Over each piece both marginals are averaged over boxes that have the piece's variance
-    /// along them. Their means are exact; what a piece's sides share along a cell's axes is lost, which takes 4.7 % of the
-    /// lobe's own variance from one axis to the other at most, in the mean over rotations.
+    /// along them. Their means are exact; the covariance of a piece along a cell's axes is dropped. In the mean over rotations that
+    /// takes at most 4.7 % of the lobe's own variance from one axis to the other, and of a kernel wider than 1.5 deviations up
+    /// to a tenth of its own. A lobe counts as no narrower than a thousandth of the kernel's deviation.
     ///
     /// Cells beyond the last level have the Gaussian of the same covariance instead, as [`PatchLobe::smooth`]. Under a square
     /// kernel of the lobe's deviation its peak is 14 % higher than a box's, and $6/\pi$ times as high where the lobe is nothing
@@ -176,7 +180,8 @@ impl<'a, R: Real> PatchLobe<'a, R> {
             return R::ZERO;
         }
         let square = m[2] * m[2];
-        (self.slope_pdf(slope_of(m)) / (square * square)).min(R::MAX)
+        // 0 of 0, where neither is a number.
+        (self.slope_pdf(slope_of(m)) / (square * square)).max(R::ZERO).min(R::MAX)
     }
 
     /// The BRDF without Fresnel, $D G_2/(4 o_z i_z)$; 0 where a direction lies below the horizon.
@@ -188,7 +193,7 @@ impl<'a, R: Real> PatchLobe<'a, R> {
         let h = half_vector(wo, wi);
         let masking = cavity_masking_shadowing(wo, wi, h);
         if masking > R::ZERO {
-            (self.d(h) * (masking / (R::lit(4.0) * wo[2] * wi[2]))).min(R::MAX)
+            (self.d(h) * (masking / (R::lit(4.0) * wo[2] * wi[2]))).max(R::ZERO).min(R::MAX)
         } else {
             R::ZERO
         }

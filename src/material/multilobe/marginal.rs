@@ -88,9 +88,9 @@ impl<'a, R: Real> Marginal<'a, R> {
 
     /// The density's mean over a box around `x`, `width` wide: exact, whatever the width. A negative one counts as 0.
     ///
-    /// By the cumulative where the box has whole intervals; where it has none, by the density itself and its bend at a
-    /// node, so that no difference of nearly equal numbers is divided by a small width. In f32, of 64 intervals, right to 2e-6
-    /// of 1 or of the mean, whichever is more; of 4096 to 3e-4.
+    /// By the cumulative where the box has whole intervals; where it has none, by the density itself and how its slope changes at
+    /// a node, so that no difference of nearly equal numbers is divided by a small width. In f32, of 64 intervals, right to 4e-6
+    /// of 1 or of the mean, whichever is more; of 4096 to 2e-3.
     ///
     /// Source: in place of Chermain et al. 2021a, Eq. 19, whose hardware lookup is [`Marginal::mip_mean`].
     ///

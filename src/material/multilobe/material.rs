@@ -19,8 +19,8 @@ use crate::slope::Roughness;
 ///
 /// Source: Chermain et al. 2020, 2021a. A dictionary of [`Means::Published`](super::Means::Published) and
 /// [`PatchLobe::with_mips`] are as published. Ours are: singular values in place of the derivatives' lengths, and aspects up to
-/// 8, where they have 4; levels rounded by chance; the smaller masking in place of the product; a cell that no facet is
-/// smaller than; tables read at their nodes.
+/// 8, where they have 4; levels rounded by chance; the smaller masking in place of the product; no cell smaller than
+/// one facet's square; tables read at their nodes.
 ///
 /// ```
 /// use lobe::Roughness;
@@ -45,8 +45,8 @@ impl<R: Real> MultiLobe<R> {
     /// From the roughness from afar and the number of facets per unit area of the texture, in the median of its cells:
     /// published are logarithms of it, from $e^{15}$, which glitters, to $e^{50}$, smooth.
     ///
-    /// Cells vary by powers of 4 ([`MultiLobe::with_variation`]) and have no less than one, so that their mean is more: of
-    /// many facets, with a deviation of 2, 55 times that. Deviations of the lobe below 1e-9, also across a correlation
+    /// Cells have more or fewer by powers of 4 ([`MultiLobe::with_variation`]), at least one each. Their mean is therefore more
+    /// than this median: of many facets, with a deviation of 2, 55 times that. Deviations of the lobe below 1e-9, also across a correlation
     /// near $\pm 1$, count as 1e-9; a mirror has no density until a kernel widens it.
     ///
     /// # Errors
@@ -103,7 +103,7 @@ impl<R: Real> MultiLobe<R> {
         self.roughness
     }
 
-    /// Side of the square that one facet has in the mean: smaller pixels show what one of this size does.
+    /// Side of the square that has one facet at this density: smaller pixels show what one of this size does.
     ///
     /// WGSL: `lobe_multi_lobe_facet_size`.
     pub fn facet_size(&self) -> R {
@@ -114,7 +114,7 @@ impl<R: Real> MultiLobe<R> {
     ///
     /// Cells are no smaller than $2^{-20}$ of the coordinates' distance from the origin, in f64 $2^{-28}$: far away glints
     /// get larger and fade. Coordinates of large surfaces should restart, each tile with a seed of its own. NaN counts as 0, and
-    /// infinity as $10^{18}$.
+    /// numbers beyond $10^9$ as that.
     ///
     /// WGSL: `lobe_multi_lobe_lobe`.
     #[inline]

@@ -53,12 +53,13 @@ impl<R: Real> Pieces<R> {
         let side = |variance: R| (R::lit(12.0) * variance).sqrt();
         let (along, across) = (side(eigen.major), side(eigen.minor));
         let longest = across.max(R::lit(LONGEST));
-        // The last one begins before the end; one piece is whole, and has no others beside it.
+        // The last one begins before the end. A kernel no longer than a piece is one, and has none beside it.
         let last = if along > longest { (R::HALF * along / longest + R::HALF).floor() } else { 0 };
         Self { axis: eigen.axis, along, across, longest, first: -last, last }
     }
 
-    /// Of a point and the one opposite, the one for both: the density is even, and a sum over pieces has an order.
+    /// The same one of two opposite points, whichever is given: their densities are equal, but sums over pieces, in order, would
+    /// round differently.
     #[inline]
     pub(super) fn folded(&self, [x, y]: [R; 2]) -> [R; 2] {
         let along = self.axis[0] * x + self.axis[1] * y;

@@ -21,7 +21,11 @@ pub(super) struct Plane<R> {
     mips: Option<[[R; 2]; 2]>,
 }
 
-/// Deviations below this count as this, so that a mirror under a kernel has a plane.
+/// A lobe counts as wider by this share of its kernel's variance, a power of two: of a thousandth of the kernel's deviation no
+/// pixel shows anything, and f32 can still count the pieces.
+const OWN: i32 = -20;
+
+/// Deviations below this count as this.
 const LEAST: f64 = 1e-9;
 
 impl<R: Real> Plane<R> {
@@ -31,7 +35,10 @@ impl<R: Real> Plane<R> {
         kernel: &Kernel<R>,
         mips: Option<Footprint<R>>,
     ) -> Self {
-        let [[a, b], [_, c]] = roughness.chermain_matrix(R::ONE);
+        // Mips take the place of kernels.
+        let kernel = if mips.is_some() { Kernel::default() } else { *kernel };
+        let own = Kernel::from_covariance(kernel.covariance().scaled(R::power_of_two(OWN)));
+        let [[a, b], [_, c]] = roughness.widened(&own).chermain_matrix(R::ONE);
         let least = R::lit(LEAST);
         let (a, c) = (a.max(least), c.max(least));
         let mapping = [a, b, c];

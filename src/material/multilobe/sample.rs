@@ -77,7 +77,7 @@ impl<R: Real> PatchLobe<'_, R> {
         let h = half_vector(wo, wi);
         let masking = cavity_masking(wo, h);
         if masking > R::ZERO {
-            (self.without_mips().d(h) * (masking / (R::lit(4.0) * wo[2]))).min(R::MAX)
+            (self.without_mips().d(h) * (masking / (R::lit(4.0) * wo[2]))).max(R::ZERO).min(R::MAX)
         } else {
             R::ZERO
         }

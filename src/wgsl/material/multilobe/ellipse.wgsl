@@ -38,11 +38,14 @@ fn lobe_ellipse_of(pixel: LobePatch) -> LobeEllipse {
     );
     let eigen = lobe_psd_eigen(square);
     let limit = f32(LOBE_ELLIPSE_LIMIT * LOBE_ELLIPSE_LIMIT);
-    let missing = lobe_max(eigen.major / limit - eigen.minor, 0.0);
-    let root = sqrt(missing);
-    let across = vec2f(-(eigen.axis.y * root), eigen.axis.x * root);
-    let wide = lobe_psd_plus(square, lobe_psd_outer_sum(across, vec2f(0.0, 0.0)));
-    return LobeEllipse(lobe_both_within(pixel.uv, LOBE_LARGEST), wide, sqrt(eigen.minor + missing));
+    let least = eigen.major / limit;
+    let width = sqrt(lobe_max(eigen.minor, least));
+    let uv = lobe_both_within(pixel.uv, LOBE_LARGEST);
+    if eigen.minor < least {
+        let wide = lobe_psd_from_axes(sqrt(eigen.major), sqrt(least), eigen.axis.x, eigen.axis.y);
+        return LobeEllipse(uv, wide, width);
+    }
+    return LobeEllipse(uv, square, width);
 }
 
 // Rust: `Ellipse::rows`.

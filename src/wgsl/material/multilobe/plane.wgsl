@@ -1,5 +1,7 @@
 // The plane of a dictionary's marginals: slopes without roughness. Rust: src/material/multilobe/plane.rs.
 
+// Rust: `OWN`.
+const LOBE_PLANE_OWN: i32 = -20;
 // Rust: `LEAST`.
 const LOBE_PLANE_LEAST: f32 = 1e-9;
 
@@ -12,7 +14,8 @@ struct LobePlane {
 
 // Rust: `Plane::new`. 0 for NaN.
 fn lobe_plane_new(roughness: LobeRoughness, kernel: LobeKernel) -> LobePlane {
-    let m = lobe_roughness_chermain_matrix(roughness, 1.0);
+    let own = LobeKernel(lobe_psd_scaled(kernel.covariance, lobe_power_of_two(LOBE_PLANE_OWN)));
+    let m = lobe_roughness_chermain_matrix(lobe_roughness_widened(roughness, own), 1.0);
     let a = lobe_max(m[0][0], LOBE_PLANE_LEAST);
     let b = m[1][0];
     let c = lobe_max(m[1][1], LOBE_PLANE_LEAST);

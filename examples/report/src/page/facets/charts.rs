@@ -22,8 +22,11 @@ fn plots(figures: &[String]) -> String {
 /// Error over run time.
 pub(super) fn contest(trial: &Trial) -> String {
     let point = |entry: &Entry| [1e-3 * entry.time, entry.errors.rmse];
-    // Of filters without a map's correlation there is the table: they would hide those with it.
-    let entries = || trial.entries.iter().filter(|entry| !entry.name.starts_with("without"));
+    // Of filters without a map's correlation, and with it of slopes, there is the table: they would hide the others.
+    let hides = |name: &str| {
+        name.starts_with("without") || (name.starts_with("with ") && name.ends_with("slope"))
+    };
+    let entries = || trial.entries.iter().filter(|entry| !hides(entry.name));
     let lines: Vec<_> = entries()
         .map(|entry| Line {
             name: entry.name.into(),

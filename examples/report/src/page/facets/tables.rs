@@ -19,7 +19,8 @@ pub(super) const BEADS_NOTE: &str = "LEAN with \u{3c1} and without: with the box
 pub(super) const MAPPINGS_NOTE: &str = "Normals with the box on the disk, in the frame of the mean normal; LEAN by probes \
     along the pixel (Olano & Baker 2010); beside it other filters: where a map spreads the lobe over much more than \
     half vectors move, they change little. Without \u{3c1} the covariance has no entry off its diagonal, as in Chermain et al. \
-    2020. Samples have the map\u{2019}s own slope. Dotted: the reference\u{2019}s own error.";
+    2020. Samples have the map\u{2019}s own slope. Energy above 1: a lobe shows facets by their projected area, so steep ones that face \
+    the eye larger, where a map\u{2019}s texels all count alike. Dotted: the reference\u{2019}s own error.";
 
 pub(super) const LOBES_NOTE: &str = "Densities of slopes over the plane of slopes, within 4.2 deviations, each under a tone curve of \
     its own (Fig. 10). Found: the correlation of what is drawn; of few lobes it is their own.";
