@@ -97,8 +97,7 @@ fn under_kernels_the_mean_is_that_of_boxes() {
             let want = drawn(dictionary(), 3, radius, width, 1);
             let [mean, _, error] = seen(dictionary(), 3, radius, width, 8000);
             println!("width {width}, {radius}: {mean} +- {error}, want {want}");
-            // Lobes count as wider by a millionth of the kernel's variance, which is up to 5.3.
-            assert!((mean - want).abs() < 4.0 * error + 1e-5 * want, "width {width}, {radius}");
+            assert!((mean - want).abs() < 4.0 * error + 1e-12, "width {width}, {radius}");
         }
     }
     // As documented: of a kernel of the lobe's deviation, and of one against which the lobe is nothing.

@@ -14,17 +14,17 @@ use crate::slope::{Footprint, Full, MeanFrame, Roughness, Shape, SlopeMoments};
 /// A pixel of a surface of many facets, for any number of lights.
 ///
 /// $P_{22}(s) = \sum_l w_l \sum_c W_c P_c(s)$. Two levels of cells are blended, as in a mip chain; cells of the finer one are
-/// no wider than the pixel's shorter axis, or than one facet's square where that is more. Cells of a level count by $W \propto e^{-2r^2} - e^{-2}$, where r is 1 on an ellipse
-/// whose half axes are the derivatives' singular values, grown by a cell. Each has a density of its own, $P_c(s) = p_i(x)\,
-/// p_j(y)/|\det M|$ at $(x, y) = R^{-1} M^{-1} s$, with Chermain's matrix M ([`Roughness::chermain_matrix`] of $\sigma_o =
+/// no wider than the pixel's shorter axis, or than one facet's square where that is more. Cells of a level count by $W
+/// \propto e^{-2r^2} - e^{-2}$, where r is 1 on an ellipse whose half axes are the derivatives' singular values, grown by a
+/// cell. Each has a density of its own, $P_c(s) = p_i(x)\, p_j(y)/|\det M|$ at $(x, y) = R^{-1} M^{-1} s$, with Chermain's matrix M ([`Roughness::chermain_matrix`] of $\sigma_o =
 /// 1$) and a rotation R, marginals i and j and their level from its random numbers: $4^{L + 1}$ lobes for $4^L$ facets, and
 /// beyond the dictionary's last level the Gaussian that all tend to. A coarse cell has the numbers of the finer cell at its lower
 /// left corner, and four times the facets, so that glints stay where they are.
 ///
 /// The integral is 1 in every pixel; tables end at 4 deviations along each axis of a cell. The mean over pixels is the
 /// smooth lobe within 2 % up to two deviations (tests/laws_multilobe_mean.rs); beyond three, where cells have few facets, it
-/// is less, as 192 lobes on an axis seldom reach that far. As a pixel grows, the variance of its density over the surface halves with
-/// every doubling of its width. It does not fall evenly: a blend of two levels varies less than either, so that halfway
+/// is less, as 192 lobes on an axis seldom reach that far. As a pixel grows, the variance of its density over the surface
+/// halves with every doubling of its width. It does not fall evenly: a blend of two levels varies less than either, so that halfway
 /// between them it is lower than at the next level, by 19 % (tests/laws_multilobe_scales.rs).
 ///
 /// Everything is continuous in the pixel, its kernel, the normal map and the roughness. Not so in density, variation and

@@ -21,9 +21,9 @@ pub(super) struct Plane<R> {
     mips: Option<[[R; 2]; 2]>,
 }
 
-/// A lobe counts as wider by this share of its kernel's variance, a power of two: of a thousandth of the kernel's deviation no
-/// pixel shows anything, and f32 can still count the pieces.
-const OWN: i32 = -20;
+/// A lobe counts as no narrower than this share of its kernel's deviation, a power of two: a thousandth of it no pixel shows,
+/// and f32 can still count the pieces.
+const SHARE: i32 = -10;
 
 /// Deviations below this count as this.
 const LEAST: f64 = 1e-9;
@@ -37,14 +37,17 @@ impl<R: Real> Plane<R> {
     ) -> Self {
         // Mips take the place of kernels.
         let kernel = if mips.is_some() { Kernel::default() } else { *kernel };
-        let own = Kernel::from_covariance(kernel.covariance().scaled(R::power_of_two(OWN)));
-        let [[a, b], [_, c]] = roughness.widened(&own).chermain_matrix(R::ONE);
-        let least = R::lit(LEAST);
-        let (a, c) = (a.max(least), c.max(least));
+        let [[a, b], [_, c]] = roughness.chermain_matrix(R::ONE);
+        let [l, m, n] = kernel.covariance().cholesky();
+        // No narrower than the kernel allows: along y, and along x less what goes with y.
+        let (least, share) = (R::lit(LEAST), R::power_of_two(SHARE));
+        let c = c.max(least).max(share * (m * m + n * n).sqrt());
+        let lean = b / c;
+        let (p, q) = (l - lean * m, lean * n);
+        let a = a.max(least).max(share * (p * p + q * q).sqrt());
         let mapping = [a, b, c];
         let density = R::ONE / (a * c);
         // M^-1 K M^-T by the columns of a root of K.
-        let [l, m, n] = kernel.covariance().cholesky();
         let column = |v| deviations(mapping, v).map(|x| x.max(-R::LARGEST).min(R::LARGEST));
         let kernel = Psd::outer_sum(column([l, m]), column([R::ZERO, n]));
         let mips = mips.map(|Footprint { u, v }| [u, v].map(|d| deviations(mapping, d)));

@@ -1,7 +1,7 @@
 // The plane of a dictionary's marginals: slopes without roughness. Rust: src/material/multilobe/plane.rs.
 
-// Rust: `OWN`.
-const LOBE_PLANE_OWN: i32 = -20;
+// Rust: `SHARE`.
+const LOBE_PLANE_SHARE: i32 = -10;
 // Rust: `LEAST`.
 const LOBE_PLANE_LEAST: f32 = 1e-9;
 
@@ -14,13 +14,17 @@ struct LobePlane {
 
 // Rust: `Plane::new`. 0 for NaN.
 fn lobe_plane_new(roughness: LobeRoughness, kernel: LobeKernel) -> LobePlane {
-    let own = LobeKernel(lobe_psd_scaled(kernel.covariance, lobe_power_of_two(LOBE_PLANE_OWN)));
-    let m = lobe_roughness_chermain_matrix(lobe_roughness_widened(roughness, own), 1.0);
-    let a = lobe_max(m[0][0], LOBE_PLANE_LEAST);
-    let b = m[1][0];
-    let c = lobe_max(m[1][1], LOBE_PLANE_LEAST);
-    let mapping = vec3f(a, b, c);
+    let m = lobe_roughness_chermain_matrix(roughness, 1.0);
     let root = lobe_psd_cholesky(kernel.covariance);
+    let share = lobe_power_of_two(LOBE_PLANE_SHARE);
+    let across = share * sqrt(root.y * root.y + root.z * root.z);
+    let c = lobe_max(lobe_max(m[1][1], LOBE_PLANE_LEAST), across);
+    let b = m[1][0];
+    let lean = b / c;
+    let p = root.x - lean * root.y;
+    let q = lean * root.z;
+    let a = lobe_max(lobe_max(m[0][0], LOBE_PLANE_LEAST), share * sqrt(p * p + q * q));
+    let mapping = vec3f(a, b, c);
     let u = lobe_both_within(lobe_plane_deviations(mapping, vec2f(root.x, root.y)), LOBE_LARGEST);
     let v = lobe_both_within(lobe_plane_deviations(mapping, vec2f(0.0, root.z)), LOBE_LARGEST);
     return LobePlane(mapping, lobe_defined(1.0 / (a * c)), lobe_pieces_of(lobe_psd_outer_sum(u, v)));
