@@ -54,10 +54,13 @@ impl<R: Real> Ellipse<R> {
         let eigen = square.eigen();
         let limit = R::lit(f64::from(ELLIPSE_LIMIT * ELLIPSE_LIMIT));
         let least = eigen.major / limit;
-        // Not by a sum, whose determinant small pixels have no digits for.
         let square = if eigen.minor < least {
-            let [x, y] = eigen.axis;
-            Psd::from_axes(eigen.major.sqrt(), least.sqrt(), x, y)
+            let missing = (least - eigen.minor).sqrt();
+            let [x, y] = eigen.axis.map(|c| c * missing);
+            let [xx, xy, yy] = square.entries();
+            // The determinant's root by the ratio, not by a sum that small pixels have no digits for.
+            let root_det = eigen.major / R::lit(f64::from(ELLIPSE_LIMIT));
+            Psd::with_root_det([xx + y * y, xy - x * y, yy + x * x], root_det)
         } else {
             square
         };

@@ -42,7 +42,11 @@ fn lobe_ellipse_of(pixel: LobePatch) -> LobeEllipse {
     let width = sqrt(lobe_max(eigen.minor, least));
     let uv = lobe_both_within(pixel.uv, LOBE_LARGEST);
     if eigen.minor < least {
-        let wide = lobe_psd_from_axes(sqrt(eigen.major), sqrt(least), eigen.axis.x, eigen.axis.y);
+        let missing = sqrt(least - eigen.minor);
+        let x = eigen.axis.x * missing;
+        let y = eigen.axis.y * missing;
+        let root_det = eigen.major / f32(LOBE_ELLIPSE_LIMIT);
+        let wide = LobePsd(square.xx + y * y, square.xy - x * y, square.yy + x * x, root_det);
         return LobeEllipse(uv, wide, width);
     }
     return LobeEllipse(uv, square, width);
