@@ -13,7 +13,7 @@ pub(super) const SWEEP_NOTE: &str = "The same tube and lights, references of few
     by less than two standard errors of the pixels\u{2019} squares. A kernel as wide as s_K 1 blurs highlights that are about as wide as a pixel, and \
     evens out facets that s_K 0.5 leaves too lively.";
 
-pub(super) const BEADS_NOTE: &str = "LEAN with \u{3c1} and without: with the box on the disk. Each pixel in the frame of its mean normal, \
+pub(super) const BEADS_NOTE: &str = "Both kinds of LEAN take the box on the disk. Each pixel in the frame of its mean normal, \
     in which the map\u{2019}s covariance and the half vector\u{2019}s derivatives are taken. Dotted: the reference\u{2019}s own error.";
 
 pub(super) const MAPPINGS_NOTE: &str = "Normals with the box on the disk, in the frame of the mean normal; LEAN by probes \
