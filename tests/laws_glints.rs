@@ -4,6 +4,7 @@
 mod common;
 
 use common::arbitrary::Source;
+use common::quadrature::midpoints;
 use lobe::material::glint::{
     Biscale, Covered, GlintLobe, Glints, Grid, Patch, Published, hue_wheel,
 };
@@ -108,14 +109,6 @@ fn the_mean_is_the_smooth_lobe() {
             );
         }
     }
-}
-
-/// An integral over the square of this half side by the midpoint rule: the integrand has steps.
-fn midpoints(half: f64, nodes: u32, f: impl Fn([f64; 2]) -> f64) -> f64 {
-    let step = 2.0 * half / f64::from(nodes);
-    let at = |k: u32| step * (f64::from(k) + 0.5) - half;
-    let places = (0..nodes).flat_map(|i| (0..nodes).map(move |j| [at(i), at(j)]));
-    places.map(f).sum::<f64>() * step * step
 }
 
 /// How much larger than a detail's lobe its angular bin is on the slope plane, on average over details: bins are equal on

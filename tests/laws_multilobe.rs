@@ -6,6 +6,7 @@ mod common;
 mod facets;
 
 use common::arbitrary::Source;
+use common::quadrature::midpoints;
 use common::{check, ensure, near};
 use facets::{dictionary, dot, integral, kernels, pixel, roughness};
 use lobe::material::glint::Patch;
@@ -59,12 +60,8 @@ fn the_same_in_single_precision() {
         );
         let pixel =
             facets.lobe(&dictionary, &patch).widened(&Kernel::of(&footprint, PixelFilter::BOX));
-        let (reach, nodes) = (2.6_f32, 200_i16);
-        let step = 2.0 * reach / f32::from(nodes);
-        let at = |k: i16| step * (f32::from(k) + 0.5) - reach;
-        let places = (0..nodes).flat_map(|i| (0..nodes).map(move |j| [at(i), at(j)]));
-        let whole: f64 = places.map(|slope| f64::from(pixel.slope_pdf(slope))).sum();
-        let whole = whole * f64::from(step).powi(2);
+        let density = |slope: [f64; 2]| f64::from(pixel.slope_pdf(slope.map(|x| x as f32)));
+        let whole = midpoints(2.6, 200, density);
         assert!((whole - 1.0).abs() < 4e-3, "{index}, side {side}: {whole}");
     }
 }
@@ -194,12 +191,9 @@ fn a_mirror_has_no_density() {
         assert_eq!(pixel.slope_pdf([0.0, 0.0]), 0.0, "{x} {y} {rho}");
         let kernel = Kernel::from_covariance(Psd::new(0.02, 0.0, 0.01).expect("valid"));
         let pixel = pixel.widened(&kernel);
-        let step = 4.0 / 600.0;
-        let at = |k: u32| step * (f64::from(k) + 0.5) - 2.0;
-        let places = (0..600).flat_map(|i| (0..600).map(move |j| [at(i), at(j)]));
-        let whole = places.map(|slope| pixel.slope_pdf(slope)).sum::<f64>() * step * step;
+        let whole = midpoints(2.0, 600, |slope| pixel.slope_pdf(slope));
         // Boxes of 0.35 at least, of which midpoints miss half a step at each side.
-        assert!((whole - 1.0).abs() < 2.0 * step / 0.35, "{x} {y} {rho}: {whole}");
+        assert!((whole - 1.0).abs() < 2.0 * (4.0 / 600.0) / 0.35, "{x} {y} {rho}: {whole}");
     }
 }
 

@@ -6,14 +6,11 @@ mod common;
 mod facets;
 
 use common::arbitrary::Source;
-use facets::{dictionary, roughness};
+use common::quadrature::midpoints;
+use facets::{dictionary, surface};
 use lobe::material::glint::Patch;
 use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
 use lobe::{Kernel, Psd, Real, Roughness};
-
-fn facets(density: f64, seed: u32) -> MultiLobe<f64> {
-    MultiLobe::new(roughness(), density).expect("in range").with_seed(seed)
-}
 
 /// Lobes without width along one axis or any, under kernels of all sizes, in f32 as in f64: a mass of 1, and the kernel's own
 /// covariance where the lobe is nothing against it.
@@ -32,15 +29,9 @@ fn mirrors_are_what_kernels_make_of_them<R: Real>() {
             let pixel = facets.lobe(&dictionary, &Patch::default()).widened(&kernel);
             // Midpoints of a parallelogram, whose corners are up to sqrt(6) deviations out, and some of the lobe beside it.
             let (reach, nodes) = (2.5 * deviation + 0.6, 300);
-            let step = 2.0 * reach / f64::from(nodes);
-            let at = |k: i32| R::lit(step * (f64::from(k) + 0.5) - reach);
-            let places = (0..nodes).flat_map(|i| (0..nodes).map(move |j| (i, j)));
-            let mass: f64 =
-                places.map(|(i, j)| pixel.slope_pdf([at(i), at(j)]).to_f64()).sum::<f64>()
-                    * step
-                    * step;
+            let mass = midpoints(reach, nodes, |slope| pixel.slope_pdf(slope.map(R::lit)).to_f64());
             // Sharp sides of a box of 3.5 deviations, of which midpoints miss half a step each.
-            let edge = 2.0 * step / (3.4 * deviation);
+            let edge = 2.0 * (2.0 * reach / f64::from(nodes)) / (3.4 * deviation);
             assert!((mass - 1.0).abs() < edge, "{x} {y} {rho}, kernel {deviation}: {mass}");
             let (mut second, count) = ([0.0; 2], 4000);
             for k in 0..count {
@@ -107,7 +98,7 @@ fn the_scale_of_a_texture_is_no_matter() {
     let single = Dictionary::<f32>::new(&Recipe::default()).expect("valid");
     for power in [-47, -43, -20, 20] {
         let size = 2.0_f64.powi(power);
-        let facets = facets(30.0 / (size * size), 5);
+        let facets = surface(30.0 / (size * size), 5);
         let alike = facets.roughness().covariance().entries().map(|x| x as f32);
         let alike = Roughness::from_covariance(Psd::nearest(alike[0], alike[1], alike[2]));
         let alike = MultiLobe::new(alike, (30.0 / (size * size)) as f32).expect("in range");
@@ -134,7 +125,7 @@ fn the_scale_of_a_texture_is_no_matter() {
 fn no_number_counts_as_0() {
     let nan = f64::NAN;
     let at = |uv, right, up| {
-        facets(3.0, 1).lobe(dictionary(), &Patch::new(uv, right, up)).slope_pdf([0.1, 0.05])
+        surface(3.0, 1).lobe(dictionary(), &Patch::new(uv, right, up)).slope_pdf([0.1, 0.05])
     };
     let want = at([0.0, 0.4], [1.0, 0.0], [0.0, 2.0]);
     assert_eq!(at([nan, 0.4], [1.0, 0.0], [0.0, 2.0]), want);

@@ -7,7 +7,7 @@ mod facets;
 
 use common::ODD;
 use common::arbitrary::Source;
-use facets::{dictionary, kernels, roughness};
+use facets::{dictionary, kernels, roughness, surface};
 use lobe::material::glint::Patch;
 use lobe::material::multilobe::{Dictionary, MultiLobe, PatchLobe, Recipe};
 use lobe::{Error, Footprint, Kernel, PixelFilter, Psd, Real, Roughness, SlopeMoments};
@@ -30,10 +30,6 @@ fn assert_continuous(what: &str, pixel: impl Fn(f64) -> PatchLobe<'static, f64>)
     }
 }
 
-fn facets(density: f64, seed: u32) -> MultiLobe<f64> {
-    MultiLobe::new(roughness(), density).expect("in range").with_seed(seed)
-}
-
 /// Law C10: across levels, the smallest cell, the longest pixel, rims of the ellipse that meet a cell's middle, and borders of
 /// cells.
 #[test]
@@ -50,7 +46,7 @@ fn pixels_change_as_little_as_they_move() {
             let width = 2.0_f64.powi(power);
             assert_continuous("a level", |step| {
                 let (right, up) = turned(1.7 * width, width * (1.0 + step));
-                facets(30.0 / (width * width), seed).lobe(dictionary(), &Patch::new(uv, right, up))
+                surface(30.0 / (width * width), seed).lobe(dictionary(), &Patch::new(uv, right, up))
             });
         }
         // A facet's square of 2^-2, also where its own level ends.
@@ -58,22 +54,22 @@ fn pixels_change_as_little_as_they_move() {
             let size = 1.0 / f64::sqrt(density);
             assert_continuous("the smallest cell", |step| {
                 let (right, up) = turned(1.2 * size, size * (1.0 + step));
-                facets(density, seed).lobe(dictionary(), &Patch::new(uv, right, up))
+                surface(density, seed).lobe(dictionary(), &Patch::new(uv, right, up))
             });
         }
         assert_continuous("the longest pixel", |step| {
             let (right, up) = turned(8.0 * (1.0 + step), 1.0);
-            facets(3.0, seed).lobe(dictionary(), &Patch::new(uv, right, up))
+            surface(3.0, seed).lobe(dictionary(), &Patch::new(uv, right, up))
         });
         // Around a cell's middle a radius of sqrt(2) cells reaches those of the four that meet its corners.
         assert_continuous("a rim", |step| {
             let side = 1.0 + step * SQRT_2;
             let patch = Patch::new([0.5, 0.5], [side, 0.0], [0.0, side]);
-            facets(30.0, seed).lobe(dictionary(), &patch)
+            surface(30.0, seed).lobe(dictionary(), &patch)
         });
         assert_continuous("a border of cells", |step| {
             let patch = Patch::new([3.0 + step, -2.0 - step], [1.0, 0.2], [0.1, 1.4]);
-            facets(30.0, seed).lobe(dictionary(), &patch)
+            surface(30.0, seed).lobe(dictionary(), &patch)
         });
     }
 }
@@ -90,7 +86,7 @@ fn kernels_change_as_little_as_they_grow() {
     let longest = 1.5 / 12.0_f64.sqrt();
     for seed in 0..40 {
         let patch = Patch::new([0.37 * f64::from(seed), 0.2], [1.0, 0.3], [0.1, 1.1]);
-        let pixel = facets(30.0, seed).lobe(dictionary(), &patch);
+        let pixel = surface(30.0, seed).lobe(dictionary(), &patch);
         for pieces in [1.0, 3.0, 5.0, 7.0] {
             assert_continuous("a piece more", |step| {
                 pixel.widened(&kernel(pieces * longest * (1.0 + step), 0.1))
@@ -182,7 +178,7 @@ fn single_precision_agrees_with_double() {
         for k in 0..200_u16 {
             let uv = [0.37 * f64::from(k), 0.2];
             let patch = Patch::new(uv, [1.0, 0.25], [-0.5, 1.5]);
-            let wide = facets(30.0, 5).lobe(dictionary(), &patch).widened(&kernel);
+            let wide = surface(30.0, 5).lobe(dictionary(), &patch).widened(&kernel);
             let [xx, xy, yy] = roughness().covariance().entries().map(|x| x as f32);
             let same = Roughness::from_covariance(Psd::nearest(xx, xy, yy));
             let same = MultiLobe::new(same, 30.0).expect("in range").with_seed(5);

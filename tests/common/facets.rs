@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "shared by tests that use some of it each")]
 
 use crate::common::arbitrary::Source;
+use crate::common::quadrature::midpoints;
 use lobe::material::glint::Patch;
 use lobe::material::multilobe::{Dictionary, MultiLobe, PatchLobe, Recipe};
 use lobe::{Kernel, Psd, Roughness};
@@ -25,10 +26,12 @@ pub(crate) fn pixel(facets: f64, index: u64) -> PatchLobe<'static, f64> {
     let (turn, size) = (source.uniform(-3.2, 3.2), source.uniform(1.0, 2.0));
     let (sin, cos) = turn.sin_cos();
     let patch = Patch::new(uv, [size * cos, size * sin], [-size * sin, 1.5 * size * cos]);
-    MultiLobe::new(roughness(), facets)
-        .expect("in range")
-        .with_seed(index as u32)
-        .lobe(dictionary(), &patch)
+    surface(facets, index as u32).lobe(dictionary(), &patch)
+}
+
+/// A surface of that roughness.
+pub(crate) fn surface(density: f64, seed: u32) -> MultiLobe<f64> {
+    MultiLobe::new(roughness(), density).expect("in range").with_seed(seed)
 }
 
 pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -38,10 +41,7 @@ pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 /// Integral over slopes of the plane, in deviations of the roughness, by midpoints.
 pub(crate) fn integral(f: impl Fn([f64; 2]) -> f64, reach: f64, nodes: u32) -> f64 {
     let [[a, b], [_, c]] = roughness().chermain_matrix(1.0);
-    let step = 2.0 * reach / f64::from(nodes);
-    let at = |k: u32| step * (f64::from(k) + 0.5) - reach;
-    let places = (0..nodes).flat_map(|i| (0..nodes).map(move |j| [at(i), at(j)]));
-    places.map(|[x, y]| f([a * x + b * y, c * y])).sum::<f64>() * step * step * a * c
+    midpoints(reach, nodes, |[x, y]| f([a * x + b * y, c * y])) * a * c
 }
 
 /// Kernels against a lobe's covariance: round in its plane, and so but for a rounding, at the longest piece and around it,

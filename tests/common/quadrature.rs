@@ -86,3 +86,11 @@ pub(crate) fn over_square(f: &mut dyn FnMut(f64, f64) -> f64, relative: f64) -> 
     let mut across = |y: f64| adaptive(&mut |x| f(x, y), -0.5, 0.5, 0.1 * relative);
     adaptive(&mut across, -0.5, 0.5, relative)
 }
+
+/// The integral over the square of this half side by midpoints, for functions that have steps or kinks.
+pub(crate) fn midpoints(half: f64, nodes: u32, f: impl Fn([f64; 2]) -> f64) -> f64 {
+    let step = 2.0 * half / f64::from(nodes);
+    let at = |k: u32| step * (f64::from(k) + 0.5) - half;
+    let places = (0..nodes).flat_map(|i| (0..nodes).map(move |j| [at(i), at(j)]));
+    places.map(f).sum::<f64>() * step * step
+}

@@ -16,16 +16,17 @@ use crate::slope::{Footprint, Full, MeanFrame, Roughness, Shape, SlopeMoments};
 /// $P_{22}(s) = \sum_l w_l \sum_c W_c P_c(s)$. Two levels of cells are blended, as in a mip chain; cells of the finer one are
 /// no wider than the pixel's shorter axis, or than one facet's square where that is more. Cells of a level count by $W
 /// \propto e^{-2r^2} - e^{-2}$, where r is 1 on an ellipse whose half axes are the derivatives' singular values, grown by a
-/// cell. Each has a density of its own, $P_c(s) = p_i(x)\, p_j(y)/|\det M|$ at $(x, y) = R^{-1} M^{-1} s$, with Chermain's matrix M ([`Roughness::chermain_matrix`] of $\sigma_o =
-/// 1$) and a rotation R, marginals i and j and their level from its random numbers: $4^{L + 1}$ lobes for $4^L$ facets, and
-/// beyond the dictionary's last level the Gaussian that all tend to. A coarse cell has the numbers of the finer cell at its lower
-/// left corner, and four times the facets, so that glints stay where they are.
+/// cell. Each has a density of its own, $P_c(s) = p_i(x)\, p_j(y)/|\det M|$ at $(x, y) = R^{-1} M^{-1} s$, with Chermain's
+/// matrix M ([`Roughness::chermain_matrix`] of $\sigma_o = 1$) and a rotation R, marginals i and j and their level from its
+/// random numbers: $4^{L + 1}$ lobes for $4^L$ facets, and beyond the dictionary's last level the Gaussian that all tend to. A
+/// coarse cell has the numbers of the finer cell at its lower left corner, and four times the facets, so that glints stay
+/// where they are.
 ///
 /// The integral is 1 in every pixel; tables end at 4 deviations along each axis of a cell. The mean over pixels is the
 /// smooth lobe within 2 % up to two deviations (tests/laws_multilobe_mean.rs); beyond three, where cells have few facets, it
 /// is less, as 192 lobes on an axis seldom reach that far. As a pixel grows, the variance of its density over the surface
-/// halves with every doubling of its width. It does not fall evenly: a blend of two levels varies less than either, so that halfway
-/// between them it is lower than at the next level, by 19 % (tests/laws_multilobe_scales.rs).
+/// halves with every doubling of its width. It does not fall evenly: a blend of two levels varies less than either, so that
+/// halfway between them it is lower than at the next level, by 19 % (tests/laws_multilobe_scales.rs).
 ///
 /// Everything is continuous in the pixel, its kernel, the normal map and the roughness. Not so in density, variation and
 /// share, with which single cells change at once: they belong to a surface, and no texture should hold them.
@@ -167,7 +168,7 @@ impl<'a, R: Real> PatchLobe<'a, R> {
             Some(facets) => plane.density(self.dictionary, at, &facets),
             None => tended,
         });
-        mean.max(R::ZERO).min(R::MAX)
+        bounded(mean)
     }
 
     /// Density of normals, $D(m) = P_{22}(s)/m_z^4$; 0 below the horizon.
@@ -180,8 +181,7 @@ impl<'a, R: Real> PatchLobe<'a, R> {
             return R::ZERO;
         }
         let square = m[2] * m[2];
-        // 0 of 0, where neither is a number.
-        (self.slope_pdf(slope_of(m)) / (square * square)).max(R::ZERO).min(R::MAX)
+        bounded(self.slope_pdf(slope_of(m)) / (square * square))
     }
 
     /// The BRDF without Fresnel, $D G_2/(4 o_z i_z)$; 0 where a direction lies below the horizon.
@@ -193,7 +193,7 @@ impl<'a, R: Real> PatchLobe<'a, R> {
         let h = half_vector(wo, wi);
         let masking = cavity_masking_shadowing(wo, wi, h);
         if masking > R::ZERO {
-            (self.d(h) * (masking / (R::lit(4.0) * wo[2] * wi[2]))).max(R::ZERO).min(R::MAX)
+            bounded(self.d(h) * (masking / (R::lit(4.0) * wo[2] * wi[2])))
         } else {
             R::ZERO
         }
@@ -234,4 +234,10 @@ impl<'a, R: Real> PatchLobe<'a, R> {
     pub(super) fn chosen(&self, u: R) -> Option<Facets<R>> {
         if self.is_smooth() { None } else { self.cells.chosen(self.dictionary.recipe(), u) }
     }
+}
+
+/// A density as it is answered: 0 where it is 0 of nothing, and never infinite.
+#[inline]
+pub(super) fn bounded<R: Real>(density: R) -> R {
+    density.max(R::ZERO).min(R::MAX)
 }

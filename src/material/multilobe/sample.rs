@@ -2,7 +2,7 @@
 //!
 //! Floor 4.
 
-use super::lobe::PatchLobe;
+use super::lobe::{PatchLobe, bounded};
 use super::plane::Plane;
 use crate::ndf::{cavity_masking, cavity_masking_shadowing};
 use crate::scalar::Real;
@@ -77,7 +77,7 @@ impl<R: Real> PatchLobe<'_, R> {
         let h = half_vector(wo, wi);
         let masking = cavity_masking(wo, h);
         if masking > R::ZERO {
-            (self.without_mips().d(h) * (masking / (R::lit(4.0) * wo[2]))).max(R::ZERO).min(R::MAX)
+            bounded(self.without_mips().d(h) * (masking / (R::lit(4.0) * wo[2])))
         } else {
             R::ZERO
         }

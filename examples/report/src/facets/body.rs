@@ -24,14 +24,14 @@ impl Body {
 
     /// A ball around the origin.
     pub(super) fn ball(radius: f64) -> Self {
-        let chart = Lambert { comb: Comb::around(FRONT), density: radius };
-        Self::Ball(Ball { centre: [0.0; 3], radius }, chart)
+        let (ball, chart) = charted(radius);
+        Self::Ball(ball, chart)
     }
 
     /// Balls of this radius, each with a part of the texture of its own, and a fifth of their width between them.
     pub(super) fn beads(radius: f64) -> Self {
-        let chart = Lambert { comb: Comb::around(FRONT), density: radius };
-        Self::Beads(Ball { centre: [0.0; 3], radius }, chart, 2.4 * radius)
+        let (ball, chart) = charted(radius);
+        Self::Beads(ball, chart, 2.4 * radius)
     }
 
     /// Where a ray meets it.
@@ -52,8 +52,13 @@ impl Body {
     }
 }
 
-/// Distance of beads on the texture over that in space: they share neither facets nor, by half a map, texels.
+/// Distance of beads on the texture over that in space: charts of a front reach to sqrt(2) radii, so no two share facets.
 const APART: f64 = 1.37;
+
+/// A ball around the origin, and lengths on it.
+fn charted(radius: f64) -> (Ball<f64>, Lambert<f64>) {
+    (Ball { centre: [0.0; 3], radius }, Lambert { comb: Comb::around(FRONT), density: radius })
+}
 
 /// Where a ray meets a ball.
 fn met(ball: &Ball<f64>, chart: &Lambert<f64>, ray: &Ray<f64>) -> Option<Charted<f64>> {

@@ -38,12 +38,7 @@ const BALL_FACETS: f64 = 1e5;
 /// Distance of the eye, in widths of the picture.
 const FAR: f64 = 5.0;
 
-pub(super) fn stage(
-    width: usize,
-    body: Body,
-    lights: &[Vector<f64>],
-    fibres: Option<Fibres>,
-) -> Stage {
+fn stage(width: usize, body: Body, lights: &[Vector<f64>], fibres: Option<Fibres>) -> Stage {
     let size = Size::of_width(width);
     let distance = FAR * width as f64;
     let lights = lights.iter().map(|&light| normalize(light)).collect();

@@ -45,6 +45,48 @@ fn lobe_cells_are_smooth(cells: LobeCells, levels: u32) -> bool {
     return cells.facets - LOBE_CELLS_QUANTILE * cells.variation > f32(levels);
 }
 
+// WGSL only: a place in the rows of a level's cells, which `Cells::level` visits in Rust.
+struct LobeCellsWalk {
+    rows: LobeEllipseRows,
+    row: LobeEllipseRow,
+    s: i32,
+    t: i32,
+}
+
+// WGSL only: of `Cells::level`, its first cell.
+fn lobe_cells_first(cells: LobeCells, step: i32) -> LobeCellsWalk {
+    let rows = lobe_ellipse_rows(cells.ellipse, cells.exponent + step);
+    let row = lobe_ellipse_row(rows, rows.first);
+    return LobeCellsWalk(rows, row, row.first, rows.first);
+}
+
+// WGSL only: of `Cells::level`, the next one.
+fn lobe_cells_next(walk: LobeCellsWalk) -> LobeCellsWalk {
+    if walk.s < walk.row.last {
+        return LobeCellsWalk(walk.rows, walk.row, walk.s + 1, walk.t);
+    }
+    let row = lobe_ellipse_row(walk.rows, walk.t + 1);
+    return LobeCellsWalk(walk.rows, row, row.first, walk.t + 1);
+}
+
+// WGSL only: of `Cells::level`, whether there are more.
+fn lobe_cells_more(walk: LobeCellsWalk) -> bool {
+    return walk.t <= walk.rows.last;
+}
+
+// WGSL only: of `Cells::level`, a cell's weight; 0 of a row without cells.
+fn lobe_cells_weight(walk: LobeCellsWalk) -> f32 {
+    if walk.s > walk.row.last {
+        return 0.0;
+    }
+    return lobe_ellipse_weight(walk.row, walk.s);
+}
+
+// WGSL only: of `Cells::level`, the cell.
+fn lobe_cells_cell(cells: LobeCells, step: i32, walk: LobeCellsWalk) -> LobeCell {
+    return lobe_cell_at(vec2i(walk.s, walk.t), cells.exponent + step, cells.seed);
+}
+
 // Rust: `Cells::chosen`.
 fn lobe_cells_chosen(cells: LobeCells, dictionary: LobeDictionary, u: f32) -> LobeFacets {
     var chosen = LobeCell(vec4u(0u, 0u, 0u, 0u));
@@ -53,37 +95,19 @@ fn lobe_cells_chosen(cells: LobeCells, dictionary: LobeDictionary, u: f32) -> Lo
     for (var step = 0; step < 2; step++) {
         let level = select(1.0 - cells.coarser, cells.coarser, step == 1);
         if level > 0.0 {
-            let rows = lobe_ellipse_rows(cells.ellipse, cells.exponent + step);
             // Twice over the cells: for the sum of their weights, and with it for their shares.
             var whole = 0.0;
-            var share = 0.0;
-            for (var turn = 0; turn < 2; turn++) {
-                for (var j = 0; j < LOBE_ELLIPSE_ROWS; j++) {
-                    let t = rows.first + j;
-                    if t > rows.last {
-                        break;
-                    }
-                    let row = lobe_ellipse_row(rows, t);
-                    for (var i = 0; i < LOBE_ELLIPSE_ROWS; i++) {
-                        let s = row.first + i;
-                        if s > row.last {
-                            break;
-                        }
-                        let weight = lobe_ellipse_weight(row, s);
-                        if weight > 0.0 {
-                            if turn == 0 {
-                                whole = whole + weight;
-                            } else {
-                                if chosen_step < 0 || sum <= u {
-                                    chosen = lobe_cell_at(vec2i(s, t), cells.exponent + step, cells.seed);
-                                    chosen_step = step;
-                                }
-                                sum = sum + share * weight;
-                            }
-                        }
-                    }
+            for (var walk = lobe_cells_first(cells, step); lobe_cells_more(walk); walk = lobe_cells_next(walk)) {
+                whole = whole + lobe_cells_weight(walk);
+            }
+            let share = level / whole;
+            for (var walk = lobe_cells_first(cells, step); lobe_cells_more(walk); walk = lobe_cells_next(walk)) {
+                let weight = lobe_cells_weight(walk);
+                if weight > 0.0 && (chosen_step < 0 || sum <= u) {
+                    chosen = lobe_cells_cell(cells, step, walk);
+                    chosen_step = step;
                 }
-                share = level / whole;
+                sum = sum + share * weight;
             }
         }
     }

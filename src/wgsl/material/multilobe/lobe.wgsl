@@ -83,28 +83,15 @@ fn lobe_patch_lobe_is_smooth(lobe: LobePatchLobe) -> bool {
 
 // WGSL only: of `PatchLobe::slope_pdf`, what `Cells::mean` does there on one level.
 fn lobe_patch_lobe_level(lobe: LobePatchLobe, terms: LobePatchTerms, step: i32) -> f32 {
-    let exponent = lobe.cells.exponent + step;
-    let rows = lobe_ellipse_rows(lobe.cells.ellipse, exponent);
     var sum = 0.0;
     var whole = 0.0;
-    for (var j = 0; j < LOBE_ELLIPSE_ROWS; j++) {
-        let t = rows.first + j;
-        if t > rows.last {
-            break;
-        }
-        let row = lobe_ellipse_row(rows, t);
-        for (var i = 0; i < LOBE_ELLIPSE_ROWS; i++) {
-            let s = row.first + i;
-            if s > row.last {
-                break;
-            }
-            let weight = lobe_ellipse_weight(row, s);
-            if weight > 0.0 {
-                let cell = lobe_cell_at(vec2i(s, t), exponent, lobe.cells.seed);
-                let facets = lobe_cells_numbers(lobe.cells, lobe.dictionary, cell, step);
-                sum = sum + weight * lobe_patch_lobe_cell(lobe, terms, facets);
-                whole = whole + weight;
-            }
+    for (var walk = lobe_cells_first(lobe.cells, step); lobe_cells_more(walk); walk = lobe_cells_next(walk)) {
+        let weight = lobe_cells_weight(walk);
+        if weight > 0.0 {
+            let cell = lobe_cells_cell(lobe.cells, step, walk);
+            let facets = lobe_cells_numbers(lobe.cells, lobe.dictionary, cell, step);
+            sum = sum + weight * lobe_patch_lobe_cell(lobe, terms, facets);
+            whole = whole + weight;
         }
     }
     return sum / whole;

@@ -33,7 +33,6 @@ fn order(trial: &Trial, names: &[&str]) -> String {
 
 /// Which filter is nearest, and what it costs.
 pub(super) fn tube(trial: &Trial) -> String {
-    let published = published(trial, [name::HALF, name::ONE, name::NONE]);
     let of = |name: &str| {
         let overhead = trial.entry(name).and_then(|entry| trial.overhead(entry));
         overhead.map_or(String::new(), |share| {
@@ -41,12 +40,11 @@ pub(super) fn tube(trial: &Trial) -> String {
         })
     };
     format!(
-        "A tube of {RADIUS} pixels radius, bent to a ring, under two lights; {} RMSE in means: {}, {published}, {}; and {}. \
+        "A tube of {RADIUS} pixels radius, bent to a ring, under two lights; {} RMSE in means: {}; and {}. \
          Derivatives, of which the paper finds those on the disk nearer: with s_K 0.5 {}, with s_K 1 {}, with the box {}. Time over \
          that of none: the box {}, mips in software {}.",
         facts(trial),
-        order(trial, &[name::HALF, name::ONE, name::NONE]),
-        nearer(trial, [name::HALF, name::ONE], ["s_K 0.5 before 1", "s_K 1 before 0.5"]),
+        scales(trial, [name::HALF, name::ONE, name::NONE]),
         order(trial, &[name::BOX, name::FOUR, name::SIXTEEN]),
         nearer(trial, [name::HALF, name::HALF_SLOPE], ["disk", "slope"]),
         nearer(trial, [name::ONE, name::ONE_SLOPE], ["disk", "slope"]),
@@ -56,10 +54,12 @@ pub(super) fn tube(trial: &Trial) -> String {
     )
 }
 
-/// Whether errors rise in the paper's order, s_K 0.5, 1, none.
-fn published(trial: &Trial, names: [&str; 3]) -> &'static str {
+/// Errors of s_K 0.5, of 1 and of none: their order, whether it is the paper's, and how surely the first two differ.
+fn scales(trial: &Trial, names: [&str; 3]) -> String {
     let [half, one, none] = names.map(|name| trial.rmse(name));
-    if half < one && one < none { "as published" } else { "not as published" }
+    let published = if half < one && one < none { "as published" } else { "not as published" };
+    let nearer = nearer(trial, [names[0], names[1]], ["s_K 0.5 before 1", "s_K 1 before 0.5"]);
+    format!("{}, {published}, {nearer}", order(trial, &names))
 }
 
 /// Which of two methods has the smaller error, by how much, and whether that may be chance; as they are called here.
@@ -124,27 +124,12 @@ const UNCORRELATED: [&str; 6] = [
 
 /// Filters on a curved surface with a map.
 pub(super) fn beads(trial: &Trial) -> String {
-    let whole = [name::WHOLE_HALF, name::WHOLE_ONE, name::WHOLE_NONE];
-    let apart = [name::APART_HALF, name::APART_ONE, name::APART_NONE];
     format!(
         "Balls of {RADIUS} pixels radius with wood fibre, {BEAD_TEXELS} texel a pixel in the middle, {ASKEW} degrees askew; {} RMSE \
-         in means, with \u{3c1}: {}, {}, {}; without: {}, {}, {}. The box comes to {} and {}. Derivatives, with \u{3c1} and s_K 0.5: {}, \
-         s_K 1: {}.",
+         in means, with \u{3c1}: {}; without: {}. The box comes to {} and {}. Derivatives, with \u{3c1} and s_K 0.5: {}, s_K 1: {}.",
         facts(trial),
-        order(trial, &whole),
-        published(trial, whole),
-        nearer(
-            trial,
-            [name::WHOLE_HALF, name::WHOLE_ONE],
-            ["s_K 0.5 before 1", "s_K 1 before 0.5"]
-        ),
-        order(trial, &apart),
-        published(trial, apart),
-        nearer(
-            trial,
-            [name::APART_HALF, name::APART_ONE],
-            ["s_K 0.5 before 1", "s_K 1 before 0.5"]
-        ),
+        scales(trial, [name::WHOLE_HALF, name::WHOLE_ONE, name::WHOLE_NONE]),
+        scales(trial, [name::APART_HALF, name::APART_ONE, name::APART_NONE]),
         significant(trial.rmse(name::WHOLE)),
         significant(trial.rmse(name::APART)),
         nearer(trial, [name::WHOLE_HALF, name::WHOLE_HALF_SLOPE], ["disk", "slope"]),
