@@ -3,34 +3,48 @@
 # compiler's linker; rustfmt, clippy and, through apt-get, a Vulkan driver for the CPU are installed
 # where they are missing. With node and npm, Chrome's WGSL compiler checks the shaders, too.
 #
-#   ./test.sh          all of it
-#   ./test.sh --fast   without release builds: no validate, no benches, no fuzz targets
+#   ./test.sh          all of it, laws and twins on a share of their cases
+#   ./test.sh --fast   formatting, lints and the tests; no documentation, no other sets of features
+#   ./test.sh --long   all of it at full size, with release builds: about an hour
 #
-# The last line is the sum over all test binaries: "N passed, 0 failed".
+# Before the last line stands what each step took, the slowest first. The last line is the sum over all
+# test binaries: "N passed, 0 failed".
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
-fast=false
+size=ordinary
 for argument in "$@"; do
     case "$argument" in
-    --fast) fast=true ;;
+    --fast | --long) size=${argument#--} ;;
     -h | --help)
-        sed -n '2,9s/^# \{0,1\}//p' "$0"
+        sed -n '2,11s/^# \{0,1\}//p' "$0"
         exit 0
         ;;
     *)
-        echo "test.sh: unknown option $argument (there is --fast)" >&2
+        echo "test.sh: unknown option $argument (there are --fast and --long)" >&2
         exit 2
         ;;
     esac
 done
+# Laws and twins read it: tests/common/size.rs.
+if [[ $size == long ]]; then export LOBE_LONG=1; fi
 
 # The packages outside the workspace build next to the others, not in folders of their own.
 export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/target}"
 log=$(mktemp)
-trap 'rm -f "$log"' EXIT
+tests=$(mktemp)
+times=$(mktemp)
+trap 'rm -f "$log" "$tests" "$times"' EXIT
 
-step() { printf '\n== %s (%ss)\n' "$*" "$SECONDS"; }
+# step NAME: ends the step before it and begins one.
+current=
+began=0
+step() {
+    if [[ -n $current ]]; then printf '%5d s  %s\n' $((SECONDS - began)) "$current" >>"$times"; fi
+    current=$*
+    began=$SECONDS
+    if [[ -n $current ]]; then printf '\n== %s\n' "$current"; fi
+}
 skip() { printf '\n-- skipped: %s\n' "$*"; }
 fail() {
     printf '\ntest.sh: %s\n' "$*" >&2
@@ -138,71 +152,79 @@ step "Format"
 cargo fmt --all -- --check
 rustfmt --edition 2024 --check tests/no_std/src/lib.rs fuzz/fuzz_targets/*.rs
 
+# Lints check every target: benches, examples and tools need no build of their own.
 step "Lints: workspace, all targets"
 cargo clippy --workspace --all-targets -- -D warnings
 
-step "Features: combinations that build without warnings"
-for features in std libm std,libm std,probe std,glam libm,glam std,libm,glam std,published std,wgsl \
-    std,lean std,leadr std,glint libm,glint,wgsl libm,lean libm,leadr libm,wgsl libm,published,wgsl libm,lean,leadr,published,wgsl; do
-    echo "   $features"
-    cargo clippy --quiet --package lobe --no-default-features --features "$features" -- -D warnings
-done
-echo "   none: must refuse"
-refuses "lobe needs one of the features" cargo check --package lobe --no-default-features
-
-step "no_std: a static library without std, and the proof that std would be noticed"
-cargo build --quiet --manifest-path tests/no_std/Cargo.toml
-cargo build --quiet --manifest-path tests/no_std/Cargo.toml --features glam
-refuses "E0152" cargo build --manifest-path tests/no_std/Cargo.toml --features std
-
-step "Documentation"
-RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
-RUSTDOCFLAGS="-D warnings" cargo doc --package lobe --all-features --no-deps --quiet
-
-step "Tests: laws, golden tables, corpus, doc tests"
-tests=$(mktemp)
-trap 'rm -f "$log" "$tests"' EXIT
 failures=()
-cargo test --workspace --features probe --no-fail-fast 2>&1 | tee "$tests" || failures+=("tests")
+# run_tests ARGUMENTS...: cargo test, its output kept for the sum.
+run_tests() { cargo test "$@" 2>&1 | tee -a "$tests" || failures+=("cargo test $*"); }
 
-step "WGSL without the feature published: its items are named, the rest is whole"
-cargo test --package lobe --no-default-features --features std,wgsl --test wgsl 2>&1 | tee -a "$tests" ||
-    failures+=("WGSL without published")
+# The tools' tests run the examples.
+step "Tests build"
+cargo build --quiet --package lobe --features probe --examples
+cargo test --quiet --workspace --features probe --lib --bins --tests --no-run
+step "Tests: laws, golden tables, corpus, texts, tools, twins"
+run_tests --workspace --features probe --lib --bins --tests --no-fail-fast
 
-# Chrome's WGSL compiler refuses what naga accepts: derivatives that not every pixel of a quad reaches.
-tint=tests/gpu/tint
-tint_installed() {
-    [[ $tint/node_modules/.package-lock.json -nt $tint/package-lock.json ]] ||
-        npm ci --prefix "$tint" --no-audit --no-fund >"$log" 2>&1
-}
-if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
-    skip "Tint on the WGSL: node and npm are not installed"
-elif ! tint_installed; then
-    skip "Tint on the WGSL: npm could not install it: $(grep -i -m 1 'npm err' "$log")"
+if [[ $size == fast ]]; then
+    skip "documentation and its examples, sets of features, no_std, Tint, fuzz targets (--fast)"
 else
-    step "Tint on the WGSL"
-    node "$tint/check.mjs" "$CARGO_TARGET_DIR/debug/examples/wgsl" || failures+=("Tint")
+    step "Tests: examples in the documentation"
+    run_tests --workspace --features probe --no-fail-fast --doc
+
+    step "Documentation"
+    RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
+    RUSTDOCFLAGS="-D warnings" cargo doc --package lobe --all-features --no-deps --quiet
+
+    step "Features: sets that build without warnings"
+    for features in std libm std,libm std,probe std,glam libm,glam std,libm,glam std,published std,wgsl \
+        std,lean std,leadr std,glint libm,glint,wgsl libm,lean libm,leadr libm,wgsl libm,published,wgsl libm,lean,leadr,published,wgsl; do
+        cargo clippy --quiet --package lobe --no-default-features --features "$features" -- -D warnings
+    done
+    refuses "lobe needs one of the features" cargo check --package lobe --no-default-features
+
+    step "no_std: a static library without std, and the proof that std would be noticed"
+    cargo build --quiet --manifest-path tests/no_std/Cargo.toml
+    cargo build --quiet --manifest-path tests/no_std/Cargo.toml --features glam
+    refuses "E0152" cargo build --manifest-path tests/no_std/Cargo.toml --features std
+
+    step "WGSL without the feature published: its items are named, the rest is whole"
+    run_tests --package lobe --no-default-features --features std,wgsl --test texts
+
+    # Chrome's WGSL compiler refuses what naga accepts: derivatives that not every pixel of a quad reaches.
+    tint=tests/gpu/tint
+    tint_installed() {
+        [[ $tint/node_modules/.package-lock.json -nt $tint/package-lock.json ]] ||
+            npm ci --prefix "$tint" --no-audit --no-fund >"$log" 2>&1
+    }
+    if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
+        skip "Tint on the WGSL: node and npm are not installed"
+    elif ! tint_installed; then
+        skip "Tint on the WGSL: npm could not install it: $(grep -i -m 1 'npm err' "$log")"
+    else
+        step "Tint on the WGSL"
+        cargo build --quiet --example wgsl
+        node "$tint/check.mjs" "$CARGO_TARGET_DIR/debug/examples/wgsl" || failures+=("Tint")
+    fi
+
+    # libFuzzer itself, in C++, is left to cargo-fuzz: a check links nothing.
+    step "Fuzz targets"
+    CUSTOM_LIBFUZZER_PATH=/dev/null cargo check --quiet --manifest-path fuzz/Cargo.toml
 fi
 
-if $fast; then
-    skip "validate, benches, fuzz targets (--fast)"
-else
+if [[ $size == long ]]; then
     step "validate: the library against its golden tables, as a user runs it"
     cargo run --quiet --release --example validate || failures+=("validate")
 
     step "Benches build"
     cargo bench --workspace --no-run --quiet
-
-    if command -v c++ >/dev/null || command -v clang++ >/dev/null; then
-        step "Fuzz targets build"
-        cargo check --quiet --manifest-path fuzz/Cargo.toml
-    else
-        skip "fuzz targets: libFuzzer needs a C++ compiler, and there is none"
-    fi
 fi
 
-step "Summary"
-grep '^test result:' "$tests" || true
+step ""
+printf '\n== What each step took\n'
+sort -rn "$times"
+printf '%5d s  in all\n\n' "$SECONDS"
 awk '/^test result:/ { passed += $4; failed += $6 }
     END { printf "%d passed, %d failed\n", passed, failed; exit passed == 0 }' "$tests" ||
     failures+=("no test ran")

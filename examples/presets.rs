@@ -1,6 +1,6 @@
 //! What engines ship, as the table in the documentation of `lobe::filter::preset`.
 //!
-//! `cargo run --example presets > src/filter/preset.md`; tests/documents.rs holds the file to it.
+//! `cargo run --example presets > src/filter/preset.md`; tests/texts/documents.rs holds the file to it.
 
 use lobe::filter::preset::{Added, Engine};
 

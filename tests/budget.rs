@@ -1,7 +1,7 @@
 //! The one table of error budgets: how wrong each golden table's quantity may come out.
 //!
 //! Loosening a number here is a change that someone reviews. The numbers are requirements, set
-//! before the code was measured: some are far looser than what tests/golden.rs finds.
+//! before the code was measured: some are far looser than what tests/laws/golden.rs finds.
 
 /// Relative error allowed in one table at one precision: over all rows, and for 99 % of them.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,6 +5,7 @@ use super::samples::{Regime, samples};
 use lobe::material::glint::{Biscale, Glints, Patch, Published, light_blur};
 use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
 use lobe::{Beckmann, Footprint, Kernel, PixelFilter, Roughness};
+use std::time::Instant;
 
 pub(crate) const GROUP: &str = "glints";
 
@@ -91,4 +92,12 @@ fn many_lobes() -> Vec<Case> {
             drawn.map_or(0.0, |drawn| drawn.weight + drawn.pdf)
         }),
     ]
+}
+
+/// Prints the seconds that the default recipe's dictionary takes.
+pub(crate) fn print_generation() {
+    let start = Instant::now();
+    let dictionary = Dictionary::<f32>::new(&Recipe::default()).expect("in range");
+    let seconds = start.elapsed().as_secs_f64();
+    println!("The default dictionary: {seconds:.2} s, {} KiB.", dictionary.bytes() / 1024);
 }

@@ -35,5 +35,6 @@ fn main() {
     let silent = ["--profile-time", "--list", "--test"];
     if !std::env::args().any(|argument| silent.contains(&argument.as_str())) {
         ratios::print(&mut cases);
+        glints::print_generation();
     }
 }

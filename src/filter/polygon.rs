@@ -190,7 +190,7 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// twice as large, never above the peak. For any other centred lobe it is an estimate: over random lobes of alphas
     /// 0.05 to 0.9, slopes and footprints up to 2, within 10 % in 98 of 100 draws and within a factor 2 in all; up to 30,
     /// within 50 % in 96 of 100, never above 4 times the mean, and in rare cases as low as a thirtieth of it
-    /// (tests/laws_over.rs).
+    /// (tests/laws/over.rs).
     ///
     /// Rounding: f32 within 1e-4 where the lobe lies within ten alphas, 1e-3 anywhere, and for alphas above 1 another
     /// 64 roundings times alpha^2; f64 as [`Ndf::parallelogram_mean`].

@@ -116,7 +116,7 @@ impl<R: Real> Whitened<R> {
     /// The first term is the isotropic case, where $\kappa$ is k/alpha^2: largest error of alpha'^2 0.04 % over
     /// any kappa. The second is what lines need, $4/\pi - 1$ in the limit, and fades as the kernel's minor
     /// axis grows. Largest error of the peak over kernels of every size and aspect: 1.32 %, at 126 by 4
-    /// alpha^2 (`the_fit_of_the_peak_errs_as_stated` in tests/laws_proxy.rs). Fitted by `tests/golden/fit.py`, `peak_round` and
+    /// alpha^2 (`the_fit_of_the_peak_errs_as_stated` in tests/laws/proxy.rs). Fitted by `tests/golden/fit.py`, `peak_round` and
     /// `peak_long`.
     #[inline(always)]
     fn fitted_factor(&self) -> R {

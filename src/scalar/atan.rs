@@ -112,7 +112,7 @@ const PI_PARTS_F64: [f64; 2] = [core::f64::consts::PI, 1.224_646_799_147_353_2e-
 /// The arc tangent of x, odd, in [-pi/2, pi/2].
 ///
 /// All x: zero keeps its sign, the limits are atan(inf) = pi/2 and atan(-inf) = -pi/2, NaN gives
-/// NaN. Measured error: at most 1.86 ulp (at 1.0052128; tests/certificates.rs).
+/// NaN. Measured error: at most 1.86 ulp (at 1.0052128; tests/laws/certificates.rs).
 #[inline(always)]
 pub(crate) fn atan_f32<S: Single>(x: S) -> S {
     let a = upper_angle_f32(x.abs(), S::ONE);

@@ -28,7 +28,7 @@ const LN_F64: [f64; 7] = [
 /// The natural logarithm, ln(x) = k ln(2) + ln(1 + f) with 1 + f from sqrt(1/2) to sqrt(2).
 ///
 /// All x: -infinity at 0, NaN below, infinity at infinity; subnormal numbers included. Measured error: at most
-/// 0.84 ulp (at 1.413319; tests/certificates.rs).
+/// 0.84 ulp (at 1.413319; tests/laws/certificates.rs).
 #[inline(always)]
 pub(crate) fn ln_f32<S: Single>(x: S) -> S {
     const ROOT_HALF: u32 = 0x3F35_04F3;
@@ -50,7 +50,7 @@ pub(crate) fn ln_f32<S: Single>(x: S) -> S {
 }
 
 /// The natural logarithm, as [`ln_f32`]. Measured error: 0.85 ulp (at 0.707103) over 4 million random numbers
-/// against mpmath; tests/laws_scalar.rs holds one rounding.
+/// against mpmath; tests/laws/scalar.rs holds one rounding.
 #[inline]
 pub(crate) fn ln_f64(x: f64) -> f64 {
     const ROOT_HALF: u64 = 0x3FE6_A09E_667F_3BCD;

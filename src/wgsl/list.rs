@@ -1,6 +1,6 @@
 //! The table of items.
 //!
-//! Floor 0. One line an item: variant, kind, name, and the Rust item that it is the twin of. `tests/mirror.rs` holds the
+//! Floor 0. One line an item: variant, kind, name, and the Rust item that it is the twin of. `tests/texts/mirror.rs` holds the
 //! table to the texts.
 
 use super::table::{Kind, items, kind, word};

@@ -2,8 +2,14 @@
 #![allow(dead_code, reason = "each law file uses a part of it")]
 
 pub(crate) mod arbitrary;
+#[cfg(feature = "glint")]
+pub(crate) mod facets;
+#[cfg(feature = "glint")]
+pub(crate) mod marginals;
 pub(crate) mod quadrature;
 pub(crate) mod reference;
+#[allow(unreachable_pub, reason = "the package of the GPU tests has it, too")]
+pub(crate) mod size;
 
 use arbitrary::Source;
 use core::fmt::Debug;
@@ -37,11 +43,12 @@ pub(crate) const ODD: [f64; 17] = [
     f32::MAX as f64,
 ];
 
-/// Runs a law on `cases` inputs, the same ones every time; a failure is shrunk towards plain inputs.
+/// Runs a law on its inputs, the same ones every time: on `full` of them in a long run, on a share in an ordinary one
+/// ([`size::cases`]). A failure is shrunk towards plain inputs.
 #[track_caller]
-pub(crate) fn check(cases: u32, law: impl Fn(&mut Source) -> TestCaseResult) {
+pub(crate) fn check(full: u32, law: impl Fn(&mut Source) -> TestCaseResult) {
     let config = Config {
-        cases,
+        cases: size::cases(full),
         rng_algorithm: RngAlgorithm::ChaCha,
         rng_seed: RngSeed::Fixed(0x10be),
         failure_persistence: None,

@@ -20,7 +20,7 @@ const COLOUR: u32 = 2_654_435_769;
 /// levels that have it, different for any two centres, and as deep as the range of exponents.
 ///
 /// Zirr & Kaplanyan 2016, section 4.1, shift the index right by its trailing zeros, each axis by its own: of the
-/// 65536 indices of a square around the origin a quarter is left (tests/errata_glints.rs).
+/// 65536 indices of a square around the origin a quarter is left (tests/laws/errata_glints.rs).
 ///
 /// ```
 /// use lobe::material::glint::Cell;

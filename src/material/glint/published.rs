@@ -26,7 +26,7 @@ const STEPS: u32 = 17;
 
 /// The model of the 2016 paper, with the choices of its authors' shader.
 ///
-/// It differs from [`Glints`](super::Glints) in what follows; tests/glints_published.rs shows each but the patterns.
+/// It differs from [`Glints`](super::Glints) in what follows; tests/laws/glints_published.rs shows each but the patterns.
 ///
 /// - $1/h_z^4$ stands inside the probability, which is cut at 1: the mean is too low at grazing half vectors.
 /// - A light of radius $\gamma$ adds $\gamma^2/(4 (w_i \cdot h) h_z)$ to the probability at every half vector: a haze.

@@ -23,10 +23,10 @@ use crate::slope::{Footprint, Full, MeanFrame, Roughness, Shape, SlopeMoments};
 /// where they are.
 ///
 /// The integral is 1 in every pixel; tables end at 4 deviations along each axis of a cell. The mean over pixels is the
-/// smooth lobe within 2 % up to two deviations (tests/laws_multilobe_mean.rs); beyond three, where cells have few facets, it
+/// smooth lobe within 2 % up to two deviations (tests/laws/multilobe_mean.rs); beyond three, where cells have few facets, it
 /// is less, as 192 lobes on an axis seldom reach that far. As a pixel grows, the variance of its density over the surface
 /// halves with every doubling of its width. It does not fall evenly: a blend of two levels varies less than either, so that
-/// halfway between them it is lower than at the next level, by 19 % (tests/laws_multilobe_scales.rs).
+/// halfway between them it is lower than at the next level, by 19 % (tests/laws/multilobe_scales.rs).
 ///
 /// Everything is continuous in the pixel, its kernel, the normal map and the roughness. Not so in density, variation and
 /// share, with which single cells change at once: they belong to a surface, and no texture should hold them.

@@ -1,6 +1,6 @@
 //! Laws that take a fuzzer's bytes and panic if the library breaks them.
 //!
-//! The targets in fuzz/ run them on new inputs, tests/corpus.rs on those that are kept.
+//! The targets in fuzz/ run them on new inputs, tests/laws/corpus.rs on those that are kept.
 #![allow(dead_code, unused_imports, reason = "each fuzz target calls one of the laws")]
 
 mod bytes;

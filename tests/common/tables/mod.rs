@@ -1,6 +1,6 @@
 //! Golden tables: read a CSV whose stem names a quantity, evaluate the library, measure the error.
 //!
-//! Shared by `cargo run --release --example validate` and tests/golden.rs.
+//! Shared by `cargo run --release --example validate` and tests/laws/golden.rs.
 
 mod file;
 mod outcome;

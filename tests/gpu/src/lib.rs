@@ -10,6 +10,8 @@ pub mod compute;
 pub mod device;
 pub mod exact;
 pub mod render;
+#[path = "../../common/size.rs"]
+pub mod size;
 pub mod timing;
 pub mod tools;
 pub mod twins;

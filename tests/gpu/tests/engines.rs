@@ -1,16 +1,7 @@
 //! The mirror in engines: its files through their linkers, its presets in the languages of others.
 
-#[allow(dead_code, reason = "shared with other tests and the example")]
-#[path = "../../../examples/wgsl/entry.rs"]
-mod entry;
-#[allow(dead_code, reason = "shared with other tests and the example")]
-#[path = "../../../examples/wgsl/link.rs"]
-mod link;
-#[allow(dead_code, reason = "shared with other tests and the example")]
-#[path = "../../../examples/wgsl/translate.rs"]
-mod translate;
-
-use entry::{Entry, entry, names, parse};
+use crate::entry::{Entry, entry, names, parse};
+use crate::translate::{Language, Translation, translate};
 use lobe::wgsl::{Item, Module, Preset, source};
 use lobe_gpu::tools::{ask, spirv_val};
 use lobe_report::spirv::instructions;
@@ -18,7 +9,6 @@ use naga::ShaderStage;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga_oil::compose::{ComposableModuleDescriptor, Composer, NagaModuleDescriptor};
 use std::collections::BTreeSet;
-use translate::{Language, Translation, translate};
 use wesl::{CompileOptions, ManglerKind, ModulePath, VirtualResolver, Wesl};
 
 /// Every preset and every file, with its items.
@@ -115,7 +105,7 @@ fn naga_oil_composes_what_is_imported() {
             .map(|name| name.split("X_naga_oil_mod").next().unwrap_or_default().to_owned())
             .collect();
         // It brings what the files import, too, whether or not that is used.
-        let needed = link::needed(&items);
+        let needed = crate::link::needed(&items);
         let imported: BTreeSet<&str> =
             needed.iter().flat_map(|module| names(module.body())).collect();
         assert!(composed.is_superset(&functions(&source(&items))), "{name}");

@@ -1,0 +1,16 @@
+//! The mirror on Vulkan drivers and in engines' linkers: one binary, so that wgpu is linked once.
+
+#[allow(dead_code, reason = "shared with the example wgsl")]
+#[path = "../../../examples/wgsl/entry.rs"]
+mod entry;
+#[allow(dead_code, reason = "shared with the example wgsl")]
+#[path = "../../../examples/wgsl/link.rs"]
+mod link;
+#[allow(dead_code, reason = "shared with the example wgsl")]
+#[path = "../../../examples/wgsl/translate.rs"]
+mod translate;
+
+mod engines;
+mod harness;
+mod mirror;
+mod render;
