@@ -10,7 +10,7 @@ use crate::scalar::quadrature::{GAUSS_EIGHT, GAUSS_FOUR};
 fn divide<R: Real>(x: R, y: R) -> (R, R) {
     let quotient = (x / y).kept();
     let (product, error) = two_product(quotient, y);
-    quotient.with_rest(((x - product) - error) / y)
+    quotient.with_rest(((x - product).kept() - error) / y)
 }
 
 /// $e^{-(x + x_{low})^2}$: at x = 9 the rounding of x alone costs 1e-5 in f32.

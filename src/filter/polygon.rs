@@ -222,7 +222,7 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
             let (g, g_low) = two_sum(wo[k], wi[k]);
             let slope = (-g / z).kept();
             let (product, error) = two_product(slope, z);
-            (slope, (-(g + product) - error - g_low - slope * z_low) / z)
+            (slope, (-(g + product).kept() - error - g_low - slope * z_low) / z)
         };
         let ((x, x_low), (y, y_low)) = (along(0), along(1));
         let form = self.shape().form([-x, -y, one], [-x_low, -y_low, zero]);
@@ -232,7 +232,7 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         let offset = self.offset_of([x, y], [x_low, y_low]);
         let whitened = Whitened::new(self.shape(), offset.0, offset.1, footprint);
         let mean = self.mean_of(&whitened, offset, footprint);
-        let ratio = (mean * S::Scalar::PI / pi_point).sqrt();
+        let ratio = (mean * S::Scalar::PI / pi_point).min(S::Scalar::MAX).sqrt();
         let factor = ratio * secant_ratio([x, y], form / root_det, ratio, footprint, &whitened);
         // `max` drops NaN: of a NaN footprint, or of 0 times infinity.
         let filtered = (brdf * factor * factor).max(zero).min(S::Scalar::MAX);

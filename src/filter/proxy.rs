@@ -99,8 +99,8 @@ impl<R: Real> Whitened<R> {
         if lobe.is_singular() {
             return None;
         }
-        let inverse = R::ONE / lobe.root_det();
-        let trace = lobe.mixed_det(kernel) * inverse * inverse;
+        let inverse = R::ONE / lobe.root_det().max(R::MIN_POSITIVE);
+        let trace = (lobe.mixed_det(kernel) * inverse).kept() * inverse;
         let root_det = kernel.root_det() * inverse;
         trace.is_finite().then_some(Self { trace, root_det })
     }
@@ -123,13 +123,16 @@ impl<R: Real> Whitened<R> {
         let kappa = R::HALF * self.trace;
         let s = kappa.sqrt();
         let lit = R::lit;
-        let round = (R::ONE + lit(1.5226) * s)
-            / (R::ONE + lit(1.5377) * s + lit(2.508) * kappa + lit(0.22979) * kappa * s);
-        let ratio = self.root_det / kappa.max(R::MIN_POSITIVE);
+        // Beyond 1e24 nothing is left of it, and its cubes leave the range of f32.
+        let (k, root) = (kappa.min(lit(1e24)), s.min(lit(1e12)));
+        let round = (R::ONE + lit(1.5226) * root)
+            / (R::ONE + lit(1.5377) * root + lit(2.508) * k + lit(0.22979) * k * root);
+        let ratio = (self.root_det / kappa.max(R::MIN_POSITIVE)).kept();
         let line = (R::ONE - ratio * ratio).max(R::ZERO);
         let minor = R::HALF * self.root_det * ratio;
-        let long = lit(0.2104) * kappa / (R::ONE + lit(0.08939) * s + lit(0.2104) * kappa);
-        R::ONE + round + long_term(minor) * line * long
+        // Kept: a product of the quotients may be taken as a quotient of products, which leave the range of f32.
+        let long = (lit(0.2104) * kappa / (R::ONE + lit(0.08939) * s + lit(0.2104) * kappa)).kept();
+        R::ONE + round.kept() + long_term(minor) * line * long
     }
 }
 
@@ -150,10 +153,11 @@ fn mirror_factor<R: Real>(lobe: &Psd<R>, kernel: &Psd<R>) -> R {
 /// t with $t^2 d^2 + t m = e^2$ from d, m and e, none negative: without cancellation, and without their squares, which
 /// leave f32.
 fn positive_root<R: Real>(d: R, m: R, e: R) -> R {
-    let twice = R::TWO * d * e;
-    let scale = m.max(twice);
-    let (x, y) = (m / scale, twice / scale);
-    R::TWO * e * (e / (m + scale * (x * x + y * y).sqrt()))
+    let twice = (R::TWO * d * e).min(R::MAX);
+    let scale = m.max(twice).max(R::MIN_POSITIVE);
+    let (x, y) = ((m / scale).kept(), (twice / scale).kept());
+    let sum = m + scale * (x * x + y * y).sqrt();
+    R::TWO * e * (e / sum.max(R::MIN_POSITIVE))
 }
 
 impl<R: Real> Roughness<R> {
@@ -240,13 +244,14 @@ impl<R: Real> Roughness<R> {
     fn with_peak(&self, kernel: &Psd<R>, peak: R, [least, most]: [f64; 2]) -> Self {
         let matrix = self.matrix();
         let root_det = Full::new(*self).root_det();
-        let factor = match Whitened::of(&matrix, kernel) {
-            Some(whitened) => whitened.factor(R::ONE / (R::PI * peak * root_det)),
-            None => {
-                positive_root(kernel.root_det(), matrix.mixed_det(kernel), R::ONE / (R::PI * peak))
-            }
+        // A kernel that spreads a lobe so far leaves no peak to divide by.
+        let least_peak = R::MIN_POSITIVE;
+        let factor = if let Some(whitened) = Whitened::of(&matrix, kernel) {
+            whitened.factor(R::ONE / (R::PI * peak * root_det).max(least_peak))
+        } else {
+            let ratio = R::ONE / (R::PI * peak).max(least_peak);
+            positive_root(kernel.root_det(), matrix.mixed_det(kernel), ratio)
         };
-        // `max` drops NaN.
         let factor = factor.max(R::lit(least)).min(R::lit(most));
         self.plus(&Self::from_matrix(kernel.scaled(factor)))
     }

@@ -25,7 +25,7 @@ pub(super) fn secant_ratio<R: Real>(
 ) -> R {
     let (zero, one, least) = (R::ZERO, R::ONE, R::MIN_POSITIVE);
     let Whitened { centre, u, v } = *whitened;
-    let there = ((one + q - ratio) / ratio).max(zero);
+    let there = ((one + q - ratio) / ratio.max(least)).max(zero).min(R::MAX);
     let (u_squared, v_squared) = (dot(u, u), dot(v, v));
 
     let at = |i: R, j: R| [centre[0] + i * u[0] + j * v[0], centre[1] + i * u[1] + j * v[1]];

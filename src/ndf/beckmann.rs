@@ -14,12 +14,13 @@ impl Distribution for BeckmannDistribution {
     #[inline(always)]
     fn density<R: Real>(form: R, root_det: R, z: R, length_squared: R, weight: R) -> R {
         let z2 = z * z;
-        // Two halves of the exponential: e^-q may be subnormal where e^-q / sqrt(det A) is not.
-        let e = (-R::HALF * form / (root_det * z2)).exp();
+        // Two halves of the exponential: e^-q may be subnormal where e^-q / sqrt(det A) is not. A mirror's exponent has
+        // nothing to divide by.
+        let e = (-R::HALF * form / (root_det * z2).max(R::MIN_POSITIVE)).exp();
         let ratio = length_squared / z2;
         let half = e * ratio;
-        let density = half * (half / root_det * weight);
-        if e > R::ZERO { density } else { R::ZERO }
+        let density = half * (half / root_det * weight).kept();
+        if e.min(root_det) > R::ZERO { density } else { R::ZERO }
     }
 
     /// $\sigma = \frac{c}{2}(1 + \mathrm{erf}\,v) + \frac{a}{2\sqrt\pi} e^{-v^2}$ with $v = c/a$, so the
@@ -64,7 +65,8 @@ impl<S: Shape> Ndf<BeckmannDistribution, S> {
             return S::Scalar::ZERO;
         }
         let numerator = S::Scalar::ONE - S::Scalar::lit(1.259) * v + S::Scalar::lit(0.396) * v * v;
-        let lambda = numerator / (S::Scalar::lit(3.535) * v + S::Scalar::lit(2.181) * v * v);
+        let denominator = S::Scalar::lit(3.535) * v + S::Scalar::lit(2.181) * v * v;
+        let lambda = numerator / denominator.max(S::Scalar::MIN_POSITIVE);
         lambda.min(S::Scalar::MAX)
     }
 }

@@ -143,13 +143,13 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
     pub fn brdf(&self, wo: impl Into<[S::Scalar; 3]>, wi: impl Into<[S::Scalar; 3]>) -> S::Scalar {
         let (wo, wi) = (wo.into(), wi.into());
         let (c_o, c_i, sum) = self.visibility_terms(wo, wi);
-        let weight = S::Scalar::HALF * inverse_pi::<S::Scalar>() / sum;
+        let weight = S::Scalar::HALF * inverse_pi::<S::Scalar>() / sum.max(S::Scalar::MIN_POSITIVE);
         let (brdf, z) = self.half_density(wo, wi, weight);
         let lowest = c_o.min(c_i);
         // Directions above the surface have a half vector above it; above a tilted plane, not always.
         let lowest = if S::CENTRED { lowest } else { lowest.min(z) };
-        // A limit of 0 instead of a branch: loops over samples stay free of jumps. `max` drops the NaN of a
-        // mirror's 0/0.
+        // A limit of 0 instead of a branch: loops over samples stay free of jumps.
+        let lowest = lowest.min(self.shape.root_det());
         let limit = if lowest > S::Scalar::ZERO { S::Scalar::MAX } else { S::Scalar::ZERO };
         brdf.max(S::Scalar::ZERO).min(limit)
     }
@@ -195,7 +195,8 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
         let (wo, wi) = (wo.into(), wi.into());
         let quarter = S::Scalar::HALF * S::Scalar::HALF;
         let area = self.projected_area(wo);
-        let (value, z) = self.half_density(wo, wi, quarter * inverse_pi::<S::Scalar>() / area);
+        let weight = quarter * inverse_pi::<S::Scalar>() / area.max(S::Scalar::MIN_POSITIVE);
+        let (value, z) = self.half_density(wo, wi, weight);
         let lowest = area.min(z).min(self.shape.root_det());
         let limit = if lowest > S::Scalar::ZERO { S::Scalar::MAX } else { S::Scalar::ZERO };
         value.max(S::Scalar::ZERO).min(limit)

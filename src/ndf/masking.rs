@@ -53,7 +53,8 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
     pub fn lambda(&self, w: impl Into<[S::Scalar; 3]>) -> S::Scalar {
         let w = w.into();
         let c = self.shape().mean_area(w);
-        let lambda = D::excess(c.abs(), self.shape().stretch_squared(w)) / c;
+        let excess = D::excess(c.abs(), self.shape().stretch_squared(w));
+        let lambda = excess / c.max(S::Scalar::MIN_POSITIVE);
         if c > S::Scalar::ZERO { lambda.min(S::Scalar::MAX) } else { S::Scalar::MAX }
     }
 
@@ -73,8 +74,8 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
         let w = w.into();
         let c = self.shape().mean_area(w).max(S::Scalar::ZERO);
         let excess = D::excess(c, self.shape().stretch_squared(w));
-        // `max` drops the NaN of 0/0, below the horizon of a mirror.
-        (c / (c + excess)).max(S::Scalar::ZERO)
+        // Both are 0 below the horizon of a mirror.
+        c / (c + excess).max(S::Scalar::MIN_POSITIVE)
     }
 
     /// Height-correlated masking and shadowing $G_2 = 1/(1 + \Lambda_o + \Lambda_i)$, in \[0, 1\]; 0

@@ -2,7 +2,8 @@
 //!
 //! Floor 0. Written without fused multiply-add, which is a slow library call on targets that lack
 //! it; the split by bit mask cannot overflow, and no compiler can fuse it away. What shader compilers
-//! could fold or fuse is kept ([`Real::kept`]).
+//! could fold, fuse or factor is kept ([`Real::kept`]): under fast math they take sums in any order, so that every
+//! partial sum that is exact stands alone.
 
 use super::Real;
 
@@ -11,7 +12,8 @@ use super::Real;
 pub(crate) fn two_sum<R: Real>(a: R, b: R) -> (R, R) {
     let sum = (a + b).kept();
     let b_part = (sum - a).kept();
-    sum.with_rest((a - (sum - b_part)) + (b - b_part))
+    let a_part = (sum - b_part).kept();
+    sum.with_rest((a - a_part).kept() + (b - b_part).kept())
 }
 
 /// `a * b` as rounded product and its error (Dekker 1971, with the split of [`Real::upper_half`]).
@@ -23,8 +25,10 @@ pub(crate) fn two_product<R: Real>(a: R, b: R) -> (R, R) {
     let product = (a * b).kept();
     let (a_high, b_high) = (a.upper_half(), b.upper_half());
     let (a_low, b_low) = (a - a_high, b - b_high);
-    let error = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
-    product.with_rest(error)
+    let first = (a_high * b_high - product).kept();
+    let second = (first + a_high * b_low).kept();
+    let third = (second + a_low * b_high).kept();
+    product.with_rest(third + a_low * b_low)
 }
 
 /// `a b + c d` within 1.5 ulp of the result, whatever cancels (Kahan; Jeannerod et al. 2013).
@@ -32,7 +36,7 @@ pub(crate) fn two_product<R: Real>(a: R, b: R) -> (R, R) {
 pub(crate) fn sum_of_products<R: Real>(a: R, b: R, c: R, d: R) -> R {
     let (p, p_error) = two_product(a, b);
     let (q, q_error) = two_product(c, d);
-    (p + q) + (p_error + q_error)
+    (p + q).kept() + (p_error + q_error)
 }
 
 /// `a b - c d` within 1.5 ulp of the result, whatever cancels.

@@ -69,7 +69,7 @@ pub(crate) fn exp_difference_f32<S: Single>(x: S, d: S) -> S {
     let shifted = ((x - d) * S::of(core::f32::consts::LOG2_E) + rounder).kept();
     let k = shifted - rounder;
     // r = high - low, kept in two parts for the linear term.
-    let high = x - k * S::of(LN_TWO_F32[0]);
+    let high = (x - k * S::of(LN_TWO_F32[0])).kept();
     let low = k * S::of(LN_TWO_F32[1]) + d;
     let r = high - low;
     let c = |n: usize| S::of(EXP_F32[n]);
@@ -78,7 +78,7 @@ pub(crate) fn exp_difference_f32<S: Single>(x: S, d: S) -> S {
     // 2^k in two factors, for neither the largest nor the subnormal results have it in one.
     let biased = shifted.bits().wrapping_sub(ROUNDER_F32.to_bits()).wrapping_add(254);
     let half = biased >> 1;
-    let e = (p * S::of_bits(half << 23)) * S::of_bits(biased.wrapping_sub(half) << 23);
+    let e = (p * S::of_bits(half << 23)).kept() * S::of_bits(biased.wrapping_sub(half) << 23);
     if vanishes { S::ZERO } else { e }
 }
 

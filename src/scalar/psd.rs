@@ -174,9 +174,8 @@ impl<R: Real> Psd<R> {
     /// WGSL: `lobe_psd_is_singular`.
     #[inline(always)]
     pub fn is_singular(&self) -> bool {
-        let minor = self.root_det * (self.root_det / self.trace());
+        let minor = self.root_det * (self.root_det / self.trace().max(R::MIN_POSITIVE)).kept();
         let least = minor.min(self.xx).min(self.yy);
-        // Also true for the NaN of the zero matrix.
         !(least >= R::MIN_POSITIVE)
     }
 
@@ -225,8 +224,8 @@ impl<R: Real> Psd<R> {
         // Quotients first: squares of the smallest entries underflow in f32.
         let quotient = |inverse: R| (u * inverse).abs().min(R::MAX);
         let squares = quotient(inverse) * quotient(inverse_other)
-            + other.xx * (self.root_det * (self.root_det * inverse))
-            + self.xx * (other.root_det * (other.root_det * inverse_other));
+            + other.xx * (self.root_det * (self.root_det * inverse).kept()).kept()
+            + self.xx * (other.root_det * (other.root_det * inverse_other).kept()).kept();
         // One of the two is a line along y, or nothing: its xy is 0, or nearly, and no term cancels.
         let products = self.xx * other.yy + self.yy * other.xx - R::TWO * self.xy * other.xy;
         if self.xx.min(other.xx) < least { products.max(R::ZERO) } else { squares }
@@ -266,7 +265,7 @@ impl<R: Real> Psd<R> {
     /// WGSL: `lobe_psd_eigen`.
     pub fn eigen(&self) -> Eigen<R> {
         let (major, axis) = principal(self.xx, self.xy, self.yy);
-        let minor = if major > R::ZERO { self.root_det * (self.root_det / major) } else { R::ZERO };
+        let minor = self.root_det * (self.root_det / major.max(R::MIN_POSITIVE)).kept();
         let minor = minor.min(major);
         Eigen { major, minor, axis }
     }
@@ -292,7 +291,7 @@ fn principal<R: Real>(xx: R, xy: R, yy: R) -> (R, [R; 2]) {
     if scale < R::MIN_POSITIVE {
         return (xx, [R::ONE, R::ZERO]);
     }
-    let (h, k) = (half_difference / scale, xy / scale);
+    let (h, k) = ((half_difference / scale).kept(), (xy / scale).kept());
     let r = (h * h + k * k).sqrt();
     // The larger of the two equivalent vectors, so that neither component cancels.
     let (x, y) = if h >= R::ZERO { (h + r, k) } else { (k, r - h) };

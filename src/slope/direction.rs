@@ -35,8 +35,9 @@ pub fn normalize<R: Real>(v: impl Into<[R; 3]>) -> [R; 3] {
     if !(largest >= R::MIN_POSITIVE && largest <= R::MAX) {
         return [R::ZERO; 3];
     }
-    let v = v.map(|x| x / largest);
-    let length = dot(v, v).sqrt();
+    let v = v.map(|x| (x / largest).kept());
+    // At least 1, but where a GPU's quotient by the largest numbers is 0.
+    let length = dot(v, v).sqrt().max(R::ONE);
     v.map(|x| x / length)
 }
 

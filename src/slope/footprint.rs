@@ -163,7 +163,8 @@ impl<R: Real> Footprint<R> {
     pub fn diameter(&self) -> R {
         let length = |x: R, y: R| {
             let scale = x.abs().max(y.abs()).max(R::MIN_POSITIVE);
-            scale * ((x / scale) * (x / scale) + (y / scale) * (y / scale)).sqrt()
+            let (p, q) = ((x / scale).kept(), (y / scale).kept());
+            scale * (p * p + q * q).sqrt()
         };
         let sum = length(self.u[0] + self.v[0], self.u[1] + self.v[1]);
         sum.max(length(self.u[0] - self.v[0], self.u[1] - self.v[1]))
@@ -183,7 +184,7 @@ impl<R: Real> Footprint<R> {
             return *self;
         }
         // The quotient first: a tiny factor would have lost its digits.
-        let shrink = |x: R| x / diameter * limit;
+        let shrink = |x: R| (x / diameter).kept() * limit;
         Self { u: self.u.map(shrink), v: self.v.map(shrink) }
     }
 
@@ -203,7 +204,7 @@ impl<R: Real> Footprint<R> {
             return *self;
         }
         // Infinite components count as the largest number.
-        let shrink = |x: R| x.max(-R::MAX).min(R::MAX) / largest.min(R::MAX) * R::LARGEST;
+        let shrink = |x: R| (x.max(-R::MAX).min(R::MAX) / largest.min(R::MAX)).kept() * R::LARGEST;
         Self { u: self.u.map(shrink), v: self.v.map(shrink) }
     }
 

@@ -38,16 +38,14 @@ impl<R: Real> Vertex<R> {
         let position = position.into();
         // Scaled by the largest component: squares of far positions overflow f32.
         let scale = position.iter().fold(R::ZERO, |m, x| m.max(x.abs()));
-        if !(scale > R::ZERO && position.iter().all(|x| x.is_finite())) {
+        let invertible = scale.min(R::ONE) * R::MAX >= R::ONE;
+        if !(invertible && position.iter().all(|x| x.is_finite())) {
             return Err(Error::Direction);
         }
-        let unit = position.map(|x| x / scale);
-        let length = dot(unit, unit).sqrt();
-        let inverse_distance = R::ONE / length / scale;
-        if !inverse_distance.is_finite() {
-            return Err(Error::Direction);
-        }
-        Ok(Self { direction: unit.map(|x| x / length), inverse_distance })
+        let unit = position.map(|x| (x / scale).kept());
+        // At least 1, but where a GPU's quotient by the largest numbers is 0.
+        let length = dot(unit, unit).sqrt().max(R::ONE);
+        Ok(Self { direction: unit.map(|x| x / length), inverse_distance: R::ONE / length / scale })
     }
 
     /// A vertex infinitely far away in `direction`, which need not have unit length.

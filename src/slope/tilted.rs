@@ -65,7 +65,7 @@ impl<S: Shape> Shape for Tilted<S> {
         ];
         // Renormalised, as centred shapes other than `Full` ignore the low part.
         let (x_sum, y_sum) = ((x + low[0]).kept(), (y + low[1]).kept());
-        let rest = [low[0] - (x_sum - x), low[1] - (y_sum - y), m_low[2]];
+        let rest = [low[0] - (x_sum - x).kept(), low[1] - (y_sum - y).kept(), m_low[2]];
         self.shape.form([x_sum, y_sum, m[2]], rest)
     }
     #[inline(always)]

@@ -28,7 +28,8 @@
 //!   returns an error the result is 0 or a zero footprint. The comment of each function says so. No item returns
 //!   NaN, whatever numbers it is given; but `lobe_min` and `lobe_max` pass on that of their second argument, as Rust's
 //!   do. Structures are the mirror's to make: what a caller writes into one is not looked at again.
-//!   (A compiler that is told to assume numbers may drop that promise: HLSL without strict IEEE and Metal with fast math, for two.)
+//!   Compilers that assume numbers, as Metal's with fast math and HLSL's without strict IEEE do, may drop that promise for
+//!   an input that is NaN or infinite; for finite inputs it holds there, too, as no guard waits for a NaN or an infinity.
 //! - **Matrices** have their columns first, as WGSL has it; `matrix * vector` means the same.
 //! - **Pixel filters** are passed as their variance: `LOBE_PIXEL_FILTER_BOX` and the like.
 //! - **A dictionary** of marginals is a buffer, `lobe_dictionary`, filled with `Dictionary::nodes`; values of

@@ -32,7 +32,7 @@ fn lobe_shade_colour(shape: LobeTilted, brdf: f32, wi: vec3f, reflectance: vec3f
 
 // WGSL only: Rust has it as a closure.
 fn lobe_shade_channel(reflectance: f32, brdf: f32, area: f32) -> f32 {
-    return lobe_min(lobe_defined(reflectance * brdf * area), LOBE_MAX);
+    return lobe_below_infinity(lobe_defined(reflectance * brdf * area));
 }
 
 // Rust: `Shading::evaluate_over`, with the reflectance at `lobe_half_cosine`. 0 for NaN.

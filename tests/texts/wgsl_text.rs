@@ -40,7 +40,8 @@ fn complaint(path: &str, line: &str) -> Option<String> {
     let listed = |list: &str, word: &str| list.split_whitespace().any(|other| other == word);
     for (word, after) in words(line) {
         // Of integers there is one answer.
-        let is_exact = after.starts_with("(bitcast<u32>(");
+        let is_exact =
+            ["(bitcast<u32>(", "(bitcast<i32>("].iter().any(|bits| after.starts_with(bits));
         if listed(LOOSE, word) && after.starts_with('(') && !is_exact {
             return Some(format!("the builtin {word}"));
         }
@@ -66,8 +67,13 @@ fn complaint(path: &str, line: &str) -> Option<String> {
     }
     let parts: Vec<&str> =
         line.split_whitespace().map(|part| part.trim_matches(['(', ')', ',', ';'])).collect();
-    let itself = parts.windows(3).any(|three| three[1] == "!=" && three[0] == three[2]);
-    itself.then(|| "a comparison that compilers take for false".to_owned())
+    // Compilers that assume numbers know the answer, and shaders want it for what is none.
+    let folded = parts.windows(3).any(|three| {
+        let compared = ["!=", "=="].contains(&three[1]) && three[0] == three[2];
+        compared || (["<", "<=", ">", ">="].contains(&three[1]) && three[2] == "LOBE_MAX")
+    });
+    let limited = line.contains("lobe_min(") && line.contains(", LOBE_MAX)");
+    (folded || limited).then(|| "a guard that waits for NaN or infinity".to_owned())
 }
 
 #[test]
@@ -93,6 +99,9 @@ fn the_laws_notice() {
         "    let a = b % c;",
         "    if x != x {",
         "    return select(0.0, x, (x != x));",
+        "    return select(0.0, x, x == x);",
+        "    return abs(x) <= LOBE_MAX;",
+        "    return lobe_min(lobe_max(x, 0.0), LOBE_MAX);",
     ] {
         assert!(complaint("filter/kernel", line).is_some(), "{line}");
     }

@@ -75,7 +75,8 @@ impl<R: Real> Binomial<R> {
             let steps = R::lit(f64::from(place.floor()));
             let above = (R::HALF * (steps * R::lit(LN_LATTICE)).exp()).min(R::HALF);
             let below = R::lit(LATTICE) * above;
-            binomial.of_high = ((rarer - below) / (above - below)).max(zero).min(one);
+            let step = (above - below).max(R::MIN_POSITIVE);
+            binomial.of_high = ((rarer - below) / step).max(zero).min(one);
             binomial.low = Inversion::new(trials, below);
             binomial.high = Inversion::new(trials, above);
         }

@@ -55,7 +55,7 @@ impl<R: Real> Level<R> {
         // has no use for it.
         let [p, q] = [right[0], up[0]].map(|x| x * inverse);
         let across = [right[1], up[1]].map(|x| x * inverse);
-        let skew = (p * across[0] + q * across[1]) / (p * p + q * q);
+        let skew = (p * across[0] + q * across[1]) / (p * p + q * q).max(R::MIN_POSITIVE);
         let skew = skew.max(-R::ONE).min(R::ONE);
         // By what the pixel is longer than wide, and no less than a cell.
         let most = R::lit(f64::from(2 * ANISOTROPY_LIMIT));

@@ -124,12 +124,17 @@ impl<R: Real> GlintLobe<R> {
         &self.grid
     }
 
-    /// Probability that a detail reflects at the unit normal `h`, under a light of this `blur`; in [0, 1].
+    /// Probability that a detail reflects at the unit normal `h`, under a light of this `blur`; in [0, 1], 0 at the
+    /// horizon and below.
     ///
     /// WGSL: `lobe_glint_lobe_probability`.
     #[inline]
     pub fn probability(&self, h: impl Into<[R; 3]>, blur: R) -> R {
-        self.reflection(h.into(), self.blurred(blur)).probability
+        let h = h.into();
+        if !(h[2] > R::ZERO) {
+            return R::ZERO;
+        }
+        self.reflection(h, self.blurred(blur)).probability
     }
 
     /// How much brighter than the smooth lobe the pixel is at the unit half vector `h`: not negative, 1 on average.
@@ -227,7 +232,8 @@ impl<R: Real> GlintLobe<R> {
 
     #[inline]
     fn reflection(&self, h: [R; 3], local: Psd<R>) -> Reflection<R> {
-        let one = R::ONE;
+        // Mirrors have nothing to divide by.
+        let (one, least) = (R::ONE, R::MIN_POSITIVE);
         let global = self.global.matrix();
         let ([g, _, g_along], [l, _, l_along]) = (global.entries(), local.entries());
         let shape = self.lobe().shape();
@@ -236,13 +242,12 @@ impl<R: Real> GlintLobe<R> {
         match self.groove {
             Groove::None => {
                 let form = shape.form(h, [R::ZERO; 3]);
-                let exponent = form / (shape.root_det() * h[2] * h[2]);
-                let peaks = (local.root_det() / global.root_det()).min(one);
+                let exponent = form / (shape.root_det() * h[2] * h[2]).max(least);
+                let peaks = (local.root_det() / global.root_det().max(least)).min(one);
                 let per_bin = R::TWO / ((one + h[2]) * side);
-                let x = h[0] * per_bin / l11;
-                let bin = [x, (h[1] * per_bin - l21 * x) / l22];
-                // `max` drops the NaN of mirrors.
-                Reflection { probability: (peaks * (-exponent).exp()).max(R::ZERO), bin }
+                let x = h[0] * per_bin / l11.max(least);
+                let bin = [x, (h[1] * per_bin - l21 * x) / l22.max(least)];
+                Reflection { probability: peaks * (-exponent).exp(), bin }
             }
             Groove::AlongV => self.across(0, h, l, g),
             Groove::AlongU => self.across(1, h, l_along, g_along),
@@ -254,10 +259,11 @@ impl<R: Real> GlintLobe<R> {
     fn across(&self, axis: usize, h: [R; 3], local: R, global: R) -> Reflection<R> {
         let slope = h[axis] / h[2];
         let offset = slope + self.mean[axis];
+        let global = global.max(R::MIN_POSITIVE);
         let peaks = (local / global).min(R::ONE).sqrt();
-        let probability = (peaks * (-(offset * offset / global)).exp()).max(R::ZERO);
+        let probability = peaks * (-(offset * offset / global)).exp();
         let mut bin = [R::ZERO; 2];
-        bin[axis] = slope / (R::PI.sqrt() * local.sqrt());
+        bin[axis] = slope / (R::PI.sqrt() * local.sqrt()).max(R::MIN_POSITIVE);
         Reflection { probability, bin }
     }
 
@@ -281,7 +287,7 @@ impl<R: Real> GlintLobe<R> {
             let count = draw.draw(cell.count([(bin[0] + a).floor(), (bin[1] + b).floor()]));
             add(cell, share * (count / (n * probability)), count);
         });
-        Mixture::Cells(shares)
+        Mixture::Cells(shares.max(R::MIN_POSITIVE))
     }
 
     /// A cell's number of details, at least one, and their draw: of the level's, unless numbers vary.

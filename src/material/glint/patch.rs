@@ -59,14 +59,14 @@ impl<R: Real> Patch<R> {
     #[inline]
     pub fn width(&self) -> R {
         let [a, b] = self.extents();
-        let long = a.max(b);
+        let long = a.max(b).max(R::MIN_POSITIVE);
         // In units of the extent, for squares of small derivatives have no digits.
-        let [p, q] = [self.right, self.up].map(|d| d.map(|x| x / long));
+        let [p, q] = [self.right, self.up].map(|d| d.map(|x| (x / long).kept()));
         // The larger singular value without a difference of trace and determinant, which has half the digits of a square.
         let length = |x: R, y: R| (x * x + y * y).sqrt();
         let twice = length(p[0] + q[1], p[1] - q[0]) + length(p[0] - q[1], p[1] + q[0]);
-        // `max` drops the NaN of a pixel without extent.
-        (long * (R::TWO * cross(p, q).abs() / twice)).max(R::ZERO)
+        // A pixel without extent has no sum to divide by.
+        long * (R::TWO * cross(p, q).abs() / twice.max(R::MIN_POSITIVE))
     }
 
     /// The same surface with its coordinates scaled.

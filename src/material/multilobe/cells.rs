@@ -78,7 +78,7 @@ impl<R: Real> Cells<R> {
                     sum = sum + weight * f(self.numbers(recipe, cell, step));
                     whole = whole + weight;
                 });
-                mean = mean + share * (sum / whole);
+                mean = mean + share * (sum / whole.max(R::MIN_POSITIVE));
             }
         }
         mean
@@ -92,7 +92,7 @@ impl<R: Real> Cells<R> {
                 // Twice over the cells: for the sum of their weights, and with it for their shares.
                 let mut whole = R::ZERO;
                 self.level(step, |weight, _| whole = whole + weight);
-                let share = share / whole;
+                let share = share / whole.max(R::MIN_POSITIVE);
                 self.level(step, |weight, cell| {
                     if chosen.is_none() || sum <= u {
                         chosen = Some((cell, step));

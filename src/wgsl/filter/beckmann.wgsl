@@ -4,7 +4,7 @@
 fn lobe_beckmann_divide(x: f32, y: f32) -> vec2f {
     let quotient = lobe_kept(x / y);
     let product = lobe_two_product(quotient, y);
-    return vec2f(quotient, ((x - product.x) - product.y) / y);
+    return vec2f(quotient, (lobe_kept(x - product.x) - product.y) / y);
 }
 
 // Rust: `exp_minus_square`.
@@ -47,11 +47,11 @@ fn lobe_beckmann_gaussian_mean(slope: f32, width: f32, alpha: f32) -> f32 {
 
 // Rust: `beckmann_rectangle_mean`. 0 for NaN and for infinite slopes.
 fn lobe_beckmann_rectangle_mean(alphas: vec2f, slope: vec2f, widths: vec2f) -> f32 {
-    let known = lobe_is_finite(slope.x) && lobe_is_finite(slope.y) && widths.x == widths.x && widths.y == widths.y;
+    let known = lobe_is_finite(slope.x) && lobe_is_finite(slope.y) && lobe_is_number(widths.x) && lobe_is_number(widths.y);
     if !(known && alphas.x >= LOBE_MIN_POSITIVE && alphas.y >= LOBE_MIN_POSITIVE) {
         return 0.0;
     }
     let along_x = lobe_beckmann_gaussian_mean(slope.x, widths.x, alphas.x) / alphas.x;
     let along_y = lobe_beckmann_gaussian_mean(slope.y, widths.y, alphas.y) / alphas.y;
-    return lobe_min(lobe_max(along_x * along_y, 0.0), LOBE_MAX);
+    return lobe_below_infinity(lobe_max(lobe_defined(along_x * along_y), 0.0));
 }

@@ -27,7 +27,7 @@ fn lobe_kernel_of(footprint: LobeFootprint, variance: f32) -> LobeKernel {
 
 // WGSL only: Rust has it as a closure.
 fn lobe_kernel_finite(v: vec2f) -> vec2f {
-    return vec2f(lobe_min(lobe_max(v.x, -LOBE_MAX), LOBE_MAX), lobe_min(lobe_max(v.y, -LOBE_MAX), LOBE_MAX));
+    return vec2f(lobe_finite(v.x), lobe_finite(v.y));
 }
 
 // Rust: `Kernel::tokuyoshi_forward`.

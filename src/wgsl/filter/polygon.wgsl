@@ -115,7 +115,7 @@ fn lobe_ggx_rectangle_mean(shape: LobeTilted, slope: vec2f, widths: vec2f) -> f3
 fn lobe_polygon_slope(g: vec2f, z: vec2f) -> vec2f {
     let slope = lobe_kept(-g.x / z.x);
     let product = lobe_two_product(slope, z.x);
-    return vec2f(slope, (-(g.x + product.x) - product.y - g.y - slope * z.y) / z.x);
+    return vec2f(slope, (-lobe_kept(g.x + product.x) - product.y - g.y - slope * z.y) / z.x);
 }
 
 // Rust: `Ndf::brdf_over`. Sides of NaN count as huge.
@@ -132,8 +132,8 @@ fn lobe_ggx_brdf_over(shape: LobeTilted, wo: vec3f, wi: vec3f, footprint: LobeFo
     let offset = lobe_polygon_offset_of(shape, slope, vec2f(x.y, y.y));
     let whitened = lobe_whitened_new(shape.shape, offset.xy, offset.zw, sides);
     let mean = lobe_polygon_mean_of(shape.shape, whitened, offset, sides);
-    let ratio = sqrt(mean * LOBE_PI / at_point);
+    let ratio = sqrt(lobe_below_infinity(mean * LOBE_PI / at_point));
     let factor = ratio * lobe_secant_ratio(slope, form / root_det, ratio, sides, whitened);
-    let filtered = lobe_min(lobe_max(brdf * factor * factor, 0.0), LOBE_MAX);
+    let filtered = lobe_below_infinity(lobe_max(brdf * factor * factor, 0.0));
     return select(brdf, filtered, at_point >= LOBE_MIN_POSITIVE);
 }

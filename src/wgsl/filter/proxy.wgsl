@@ -31,8 +31,8 @@ struct LobeProxy {
 
 // Rust: `Whitened::of`.
 fn lobe_proxy_of(lobe: LobePsd, kernel: LobePsd) -> LobeProxy {
-    let inverse = 1.0 / lobe.root_det;
-    let trace = lobe_psd_mixed_det(lobe, kernel) * inverse * inverse;
+    let inverse = 1.0 / lobe_max(lobe.root_det, LOBE_MIN_POSITIVE);
+    let trace = lobe_kept(lobe_psd_mixed_det(lobe, kernel) * inverse) * inverse;
     return LobeProxy(trace, kernel.root_det * inverse, !lobe_psd_is_singular(lobe) && lobe_is_finite(trace));
 }
 
@@ -46,12 +46,15 @@ fn lobe_proxy_factor(proxy: LobeProxy, r: f32) -> f32 {
 fn lobe_proxy_fitted_factor(proxy: LobeProxy) -> f32 {
     let kappa = 0.5 * proxy.trace;
     let s = sqrt(kappa);
-    let round = (1.0 + 1.5226 * s) / (1.0 + 1.5377 * s + 2.508 * kappa + 0.22979 * kappa * s);
-    let ratio = proxy.root_det / lobe_max(kappa, LOBE_MIN_POSITIVE);
+    // Beyond 1e24 nothing is left of it, and its cubes leave the range.
+    let k = lobe_min(kappa, 1e24);
+    let root = lobe_min(s, 1e12);
+    let round = (1.0 + 1.5226 * root) / (1.0 + 1.5377 * root + 2.508 * k + 0.22979 * k * root);
+    let ratio = lobe_kept(proxy.root_det / lobe_max(kappa, LOBE_MIN_POSITIVE));
     let line = lobe_max(1.0 - ratio * ratio, 0.0);
     let minor = 0.5 * proxy.root_det * ratio;
-    let long = 0.2104 * kappa / (1.0 + 0.08939 * s + 0.2104 * kappa);
-    return 1.0 + round + lobe_proxy_long_term(minor) * line * long;
+    let long = lobe_kept(0.2104 * kappa / (1.0 + 0.08939 * s + 0.2104 * kappa));
+    return 1.0 + lobe_kept(round) + lobe_proxy_long_term(minor) * line * long;
 }
 
 // Rust: `long_term`.
@@ -70,11 +73,12 @@ fn lobe_proxy_mirror_factor(lobe: LobePsd, kernel: LobePsd) -> f32 {
 
 // Rust: `positive_root`.
 fn lobe_proxy_positive_root(d: f32, m: f32, e: f32) -> f32 {
-    let twice = 2.0 * d * e;
-    let scale = lobe_max(m, twice);
-    let x = m / scale;
-    let y = twice / scale;
-    return 2.0 * e * (e / (m + scale * sqrt(x * x + y * y)));
+    let twice = lobe_below_infinity(2.0 * d * e);
+    let scale = lobe_max(lobe_max(m, twice), LOBE_MIN_POSITIVE);
+    let x = lobe_kept(m / scale);
+    let y = lobe_kept(twice / scale);
+    let sum = m + scale * sqrt(x * x + y * y);
+    return 2.0 * e * (e / lobe_max(sum, LOBE_MIN_POSITIVE));
 }
 
 // Rust: `Roughness::peak_matched`.
@@ -117,10 +121,10 @@ fn lobe_roughness_with_peak(
     let proxy = lobe_proxy_of(psd, kernel);
     var factor = 0.0;
     if proxy.known {
-        factor = lobe_proxy_factor(proxy, 1.0 / (LOBE_PI * peak * root_det));
+        factor = lobe_proxy_factor(proxy, 1.0 / lobe_max(LOBE_PI * peak * root_det, LOBE_MIN_POSITIVE));
     } else {
         factor = lobe_proxy_positive_root(
-            kernel.root_det, lobe_psd_mixed_det(psd, kernel), 1.0 / (LOBE_PI * peak)
+            kernel.root_det, lobe_psd_mixed_det(psd, kernel), 1.0 / lobe_max(LOBE_PI * peak, LOBE_MIN_POSITIVE)
         );
     }
     let bounded = lobe_min(lobe_max(factor, least), most);

@@ -2,7 +2,7 @@
 
 // Rust: `secant_ratio`.
 fn lobe_secant_ratio(slope: vec2f, q: f32, ratio: f32, footprint: LobeFootprint, w: LobeWhitened) -> f32 {
-    let there = lobe_max((1.0 + q - ratio) / ratio, 0.0);
+    let there = lobe_below_infinity(lobe_max((1.0 + q - ratio) / lobe_max(ratio, LOBE_MIN_POSITIVE), 0.0));
     let u_squared = lobe_strip_dot(w.u, w.u);
     let v_squared = lobe_strip_dot(w.v, w.v);
     let densest = lobe_secant_densest(w, u_squared, v_squared);

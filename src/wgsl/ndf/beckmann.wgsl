@@ -3,11 +3,12 @@
 // Rust: `BeckmannDistribution::density`. 0 for NaN.
 fn lobe_beckmann_density(form: f32, root_det: f32, z: f32, length_squared: f32, weight: f32) -> f32 {
     let square = z * z;
-    let e = lobe_exp(-0.5 * form / (root_det * square));
+    // A mirror's exponent has nothing to divide by.
+    let e = lobe_exp(-0.5 * form / lobe_max(root_det * square, LOBE_MIN_POSITIVE));
     let ratio = length_squared / square;
     let half = e * ratio;
-    let density = half * (half / root_det * weight);
-    return select(0.0, lobe_defined(density), e > 0.0);
+    let density = half * lobe_kept(half / root_det * weight);
+    return select(0.0, lobe_defined(density), lobe_min(e, root_det) > 0.0);
 }
 
 // Rust: `BeckmannDistribution::excess`. 0 for NaN.
@@ -41,7 +42,7 @@ fn lobe_beckmann_brdf(at: LobePair) -> f32 {
 // Rust: `Ndf::unshadowed`, of a shape's answers at a pair of directions. 0 for NaN.
 fn lobe_beckmann_unshadowed(at: LobePair) -> f32 {
     let area = lobe_beckmann_projected_area(at.wo);
-    let weight = 0.25 * LOBE_INVERSE_PI / area;
+    let weight = 0.25 * LOBE_INVERSE_PI / lobe_max(area, LOBE_MIN_POSITIVE);
     return lobe_unshadowed_at(lobe_beckmann_density(at.form, at.root_det, at.z, at.length_squared, weight), area, at);
 }
 
@@ -87,5 +88,6 @@ fn lobe_beckmann_lambda_walter(at: LobeView) -> f32 {
         return 0.0;
     }
     let numerator = 1.0 - 1.259 * v + 0.396 * v * v;
-    return lobe_min(numerator / (3.535 * v + 2.181 * v * v), LOBE_MAX);
+    let denominator = lobe_max(3.535 * v + 2.181 * v * v, LOBE_MIN_POSITIVE);
+    return lobe_below_infinity(lobe_far(numerator / denominator));
 }

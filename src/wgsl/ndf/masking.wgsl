@@ -7,12 +7,12 @@ fn lobe_projected_area_of(c: f32, excess: f32) -> f32 {
 
 // WGSL only: `Ndf::lambda` of the same. The largest number from below, and for NaN.
 fn lobe_lambda_of(c: f32, excess: f32) -> f32 {
-    return select(LOBE_MAX, lobe_min(excess / c, LOBE_MAX), c > 0.0);
+    return select(LOBE_MAX, lobe_below_infinity(excess / lobe_max(c, LOBE_MIN_POSITIVE)), c > 0.0);
 }
 
 // WGSL only: `Ndf::g1` of the same. 0 for NaN.
 fn lobe_masking_of(c: f32, excess: f32) -> f32 {
-    return lobe_max(c / (c + excess), 0.0);
+    return c / lobe_max(c + excess, LOBE_MIN_POSITIVE);
 }
 
 // WGSL only: `Ndf::visibility_terms`: the sum, of two directions' even areas.
@@ -33,5 +33,5 @@ fn lobe_visibility_of(wo: LobeView, wi: LobeView, sum: f32) -> f32 {
 
 // WGSL only: what `Ndf::brdf` multiplies the density by, of the sum.
 fn lobe_brdf_weight(sum: f32) -> f32 {
-    return 0.5 * LOBE_INVERSE_PI / sum;
+    return 0.5 * LOBE_INVERSE_PI / lobe_max(sum, LOBE_MIN_POSITIVE);
 }

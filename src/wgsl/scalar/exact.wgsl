@@ -4,7 +4,8 @@
 fn lobe_two_sum(a: f32, b: f32) -> vec2f {
     let sum = lobe_kept(a + b);
     let b_part = lobe_kept(sum - a);
-    return vec2f(sum, (a - (sum - b_part)) + (b - b_part));
+    let a_part = lobe_kept(sum - b_part);
+    return vec2f(sum, lobe_kept(a - a_part) + lobe_kept(b - b_part));
 }
 
 // Rust: `two_product`: the product and its error.
@@ -14,14 +15,17 @@ fn lobe_two_product(a: f32, b: f32) -> vec2f {
     let b_high = lobe_upper_half(b);
     let a_low = a - a_high;
     let b_low = b - b_high;
-    return vec2f(product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low);
+    let first = lobe_kept(a_high * b_high - product);
+    let second = lobe_kept(first + a_high * b_low);
+    let third = lobe_kept(second + a_low * b_high);
+    return vec2f(product, third + a_low * b_low);
 }
 
 // Rust: `sum_of_products`.
 fn lobe_sum_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
     let p = lobe_two_product(a, b);
     let q = lobe_two_product(c, d);
-    return (p.x + q.x) + (p.y + q.y);
+    return lobe_kept(p.x + q.x) + (p.y + q.y);
 }
 
 // Rust: `difference_of_products`.

@@ -20,7 +20,7 @@ fn lobe_exp_difference(x: f32, d: f32) -> f32 {
     // log2(e), rounded as core::f32::consts::LOG2_E.
     let shifted = lobe_kept((bounded - d) * 1.442695 + LOBE_ROUNDER);
     let k = shifted - LOBE_ROUNDER;
-    let high = bounded - k * LOBE_LN_TWO[0];
+    let high = lobe_kept(bounded - k * LOBE_LN_TWO[0]);
     let low = k * LOBE_LN_TWO[1] + d;
     let r = high - low;
     let c = LOBE_EXP;
@@ -28,6 +28,6 @@ fn lobe_exp_difference(x: f32, d: f32) -> f32 {
     let q = (high + (p * (r * r) - low)) + 1.0;
     let biased = bitcast<u32>(shifted) - bitcast<u32>(LOBE_ROUNDER) + 254u;
     let half = biased >> 1u;
-    let e = (q * bitcast<f32>(half << 23u)) * bitcast<f32>((biased - half) << 23u);
+    let e = lobe_kept(q * bitcast<f32>(half << 23u)) * bitcast<f32>((biased - half) << 23u);
     return select(e, 0.0, vanishes);
 }

@@ -17,7 +17,7 @@ fn lobe_ln(x: f32) -> f32 {
     let half_square = 0.5 * f * f;
     let low = half_square - (s * (half_square + rest) + k * LOBE_LN_TWO[1]);
     let ln = k * LOBE_LN_TWO[0] - (low - f);
-    return select(lobe_ln_edge(x), ln, x > 0.0 && x <= LOBE_MAX);
+    return select(lobe_ln_edge(x), ln, x > 0.0 && lobe_is_finite(x));
 }
 
 // Rust: `edge_f32`.

@@ -95,21 +95,22 @@ fn lobe_psd_trace(m: LobePsd) -> f32 {
 
 // Rust: `Psd::is_singular`.
 fn lobe_psd_is_singular(m: LobePsd) -> bool {
-    let minor = m.root_det * (m.root_det / lobe_psd_trace(m));
+    let minor = m.root_det * lobe_kept(m.root_det / lobe_max(lobe_psd_trace(m), LOBE_MIN_POSITIVE));
     let least = lobe_min(lobe_min(minor, m.xx), m.yy);
     return !(least >= LOBE_MIN_POSITIVE);
 }
 
 // Rust: `Psd::scaled`.
 fn lobe_psd_scaled(m: LobePsd, factor: f32) -> LobePsd {
-    let f = lobe_min(lobe_max(factor, 0.0), LOBE_MAX);
+    let f = lobe_below_infinity(lobe_max(factor, 0.0));
     return LobePsd(m.xx * f, m.xy * f, m.yy * f, m.root_det * f);
 }
 
 // Rust: `Psd::plus`.
 fn lobe_psd_plus(a: LobePsd, b: LobePsd) -> LobePsd {
     let det = lobe_psd_det(a) + lobe_psd_mixed_det(a, b) + lobe_psd_det(b);
-    return LobePsd(a.xx + b.xx, a.xy + b.xy, a.yy + b.yy, sqrt(det));
+    // A root of infinity by a reciprocal estimate is NaN.
+    return LobePsd(a.xx + b.xx, a.xy + b.xy, a.yy + b.yy, sqrt(lobe_below_infinity(det)));
 }
 
 // Rust: `Psd::mixed_det`.
@@ -118,9 +119,9 @@ fn lobe_psd_mixed_det(a: LobePsd, b: LobePsd) -> f32 {
     let least = LOBE_MIN_POSITIVE / (LOBE_EPSILON * LOBE_EPSILON);
     let of_a = 1.0 / lobe_max(a.xx, least);
     let of_b = 1.0 / lobe_max(b.xx, least);
-    let squares = lobe_min(abs(u * of_a), LOBE_MAX) * lobe_min(abs(u * of_b), LOBE_MAX)
-        + b.xx * (a.root_det * (a.root_det * of_a))
-        + a.xx * (b.root_det * (b.root_det * of_b));
+    let squares = lobe_below_infinity(abs(u * of_a)) * lobe_below_infinity(abs(u * of_b))
+        + b.xx * lobe_kept(a.root_det * lobe_kept(a.root_det * of_a))
+        + a.xx * lobe_kept(b.root_det * lobe_kept(b.root_det * of_b));
     let products = a.xx * b.yy + a.yy * b.xx - 2.0 * a.xy * b.xy;
     return select(squares, lobe_max(products, 0.0), lobe_min(a.xx, b.xx) < least);
 }
@@ -148,7 +149,7 @@ fn lobe_psd_cholesky(m: LobePsd) -> vec3f {
 fn lobe_psd_eigen(m: LobePsd) -> LobeEigen {
     let along = lobe_psd_principal(m.xx, m.xy, m.yy);
     let major = along.x;
-    let minor = select(0.0, m.root_det * (m.root_det / major), major > 0.0);
+    let minor = m.root_det * lobe_kept(m.root_det / lobe_max(major, LOBE_MIN_POSITIVE));
     return LobeEigen(major, lobe_min(minor, major), along.yz);
 }
 
@@ -169,8 +170,8 @@ fn lobe_psd_principal(xx: f32, xy: f32, yy: f32) -> vec3f {
     if scale < LOBE_MIN_POSITIVE {
         return vec3f(xx, 1.0, 0.0);
     }
-    let h = half_difference / scale;
-    let k = xy / scale;
+    let h = lobe_kept(half_difference / scale);
+    let k = lobe_kept(xy / scale);
     let r = sqrt(h * h + k * k);
     let forward = h >= 0.0;
     let x = select(k, h + r, forward);

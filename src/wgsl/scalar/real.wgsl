@@ -21,9 +21,14 @@ fn lobe_max(a: f32, b: f32) -> f32 {
     return select(b, a, a > b);
 }
 
-// Rust: `Real::is_finite`.
+// Rust: `Real::is_finite`. By the bits: compilers that assume finite numbers fold a comparison.
 fn lobe_is_finite(x: f32) -> bool {
-    return abs(x) <= LOBE_MAX;
+    return (bitcast<u32>(x) & 0x7fffffffu) < 0x7f800000u;
+}
+
+// WGSL only: true unless NaN. By the bits: compilers that assume numbers fold `x == x`.
+fn lobe_is_number(x: f32) -> bool {
+    return (bitcast<u32>(x) & 0x7fffffffu) <= 0x7f800000u;
 }
 
 // WGSL only: where a Rust constructor refuses a number outside [0, 1e9], shaders get the nearest; NaN counts as 0.
@@ -43,12 +48,24 @@ fn lobe_both_within(v: vec2f, limit: f32) -> vec2f {
 
 // WGSL only: the largest number in place of NaN: as far from a lobe as can be.
 fn lobe_far(x: f32) -> f32 {
-    return select(LOBE_MAX, x, x == x);
+    return select(LOBE_MAX, x, lobe_is_number(x));
 }
 
-// WGSL only: 0 in place of NaN. `x != x` would be folded to false.
+// WGSL only: 0 in place of NaN.
 fn lobe_defined(x: f32) -> f32 {
-    return select(0.0, x, x == x);
+    return select(0.0, x, lobe_is_number(x));
+}
+
+// WGSL only: the largest number in place of infinity; a negative number stays. By the bits: compilers that assume finite
+// numbers may fold `lobe_min(x, LOBE_MAX)`.
+fn lobe_below_infinity(x: f32) -> f32 {
+    return bitcast<f32>(min(bitcast<i32>(x), 0x7f7fffff));
+}
+
+// WGSL only: the nearest finite number, the largest in place of NaN. By the bits, like `lobe_below_infinity`.
+fn lobe_finite(x: f32) -> f32 {
+    let size = min(bitcast<u32>(x) & 0x7fffffffu, 0x7f7fffffu);
+    return bitcast<f32>((bitcast<u32>(x) & 0x80000000u) | size);
 }
 
 // Rust: `Real::upper_half`.
@@ -74,7 +91,7 @@ fn lobe_power_of_two(k: i32) -> f32 {
 }
 
 // Rust: `Real::kept`. No compiler knows that no sum has the one pattern of bits that this changes, so none folds
-// (a + b) - a or fuses a * b + c. The minimum is of integers: a select between floats would let literals through.
+// (a + b) - a, fuses a * b + c, factors a * b + a * c or takes (a / b) * (c / d) as one quotient. The minimum is of integers: a select between floats would let literals through.
 fn lobe_kept(x: f32) -> f32 {
     return bitcast<f32>(min(bitcast<u32>(x), 0xfffffffeu));
 }

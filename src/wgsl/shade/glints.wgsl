@@ -18,7 +18,7 @@ fn lobe_glint_evaluate_coloured(
     let sparkle =
         lobe_glint_lobe_coloured_sparkle(lobe, lobe_half_vector(wo, wi), lobe_light_blur(wo, wi, radius));
     return vec3f(
-        lobe_min(lobe_defined(colour.x * sparkle.x), LOBE_MAX), lobe_min(lobe_defined(colour.y * sparkle.y), LOBE_MAX),
-        lobe_min(lobe_defined(colour.z * sparkle.z), LOBE_MAX)
+        lobe_below_infinity(lobe_defined(colour.x * sparkle.x)), lobe_below_infinity(lobe_defined(colour.y * sparkle.y)),
+        lobe_below_infinity(lobe_defined(colour.z * sparkle.z))
     );
 }

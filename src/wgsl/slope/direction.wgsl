@@ -8,12 +8,13 @@ fn lobe_half_vector(wo: vec3f, wi: vec3f) -> vec3f {
 // Rust: `normalize`. 0 where there is no length, an infinite one, or NaN.
 fn lobe_normalize(v: vec3f) -> vec3f {
     let largest = lobe_max(lobe_max(abs(v.x), abs(v.y)), abs(v.z));
-    let known = v.x == v.x && v.y == v.y && v.z == v.z;
-    if !(known && largest >= LOBE_MIN_POSITIVE && largest <= LOBE_MAX) {
+    let finite = lobe_is_finite(v.x) && lobe_is_finite(v.y) && lobe_is_finite(v.z);
+    if !(finite && largest >= LOBE_MIN_POSITIVE) {
         return vec3f(0.0, 0.0, 0.0);
     }
-    let scaled = vec3f(v.x / largest, v.y / largest, v.z / largest);
-    let length = sqrt(lobe_dot(scaled, scaled));
+    let scaled = vec3f(lobe_kept(v.x / largest), lobe_kept(v.y / largest), lobe_kept(v.z / largest));
+    // At least 1, but where a driver's quotient by the largest numbers is 0.
+    let length = lobe_max(sqrt(lobe_dot(scaled, scaled)), 1.0);
     return vec3f(scaled.x / length, scaled.y / length, scaled.z / length);
 }
 
@@ -35,7 +36,8 @@ fn lobe_normal_of(slope: vec2f) -> vec3f {
 
 // Rust: `from_disk`. 0 for NaN.
 fn lobe_from_disk(point: vec2f) -> vec3f {
-    let height = lobe_max(lobe_add_products(1.0, -point.x, point.x, -point.y, point.y), 0.0);
+    let square = lobe_add_products(1.0, -point.x, point.x, -point.y, point.y);
+    let height = lobe_max(lobe_defined(square), 0.0);
     return vec3f(lobe_defined(point.x), lobe_defined(point.y), sqrt(height));
 }
 

@@ -91,7 +91,9 @@ fn lobe_footprint_diameter(footprint: LobeFootprint) -> f32 {
 // WGSL only: Rust has it as a closure.
 fn lobe_footprint_length(x: f32, y: f32) -> f32 {
     let scale = lobe_max(lobe_max(abs(x), abs(y)), LOBE_MIN_POSITIVE);
-    return scale * sqrt((x / scale) * (x / scale) + (y / scale) * (y / scale));
+    let p = lobe_kept(x / scale);
+    let q = lobe_kept(y / scale);
+    return scale * sqrt(p * p + q * q);
 }
 
 // Rust: `Footprint::rescaled`. 0 for NaN; sides beyond 1e30 count as shorter.
@@ -108,7 +110,8 @@ fn lobe_footprint_rescaled(sides: LobeFootprint, limit: f32) -> LobeFootprint {
     let u = footprint.u;
     let v = footprint.v;
     return lobe_footprint_from_slopes(
-        vec2f(u.x / diameter * most, u.y / diameter * most), vec2f(v.x / diameter * most, v.y / diameter * most)
+        vec2f(lobe_kept(u.x / diameter) * most, lobe_kept(u.y / diameter) * most),
+        vec2f(lobe_kept(v.x / diameter) * most, lobe_kept(v.y / diameter) * most)
     );
 }
 
@@ -125,7 +128,7 @@ fn lobe_footprint_bounded(footprint: LobeFootprint) -> LobeFootprint {
     if largest <= LOBE_LARGEST {
         return footprint;
     }
-    let most = lobe_min(largest, LOBE_MAX);
+    let most = lobe_below_infinity(largest);
     let u = footprint.u;
     let v = footprint.v;
     return LobeFootprint(
@@ -136,7 +139,7 @@ fn lobe_footprint_bounded(footprint: LobeFootprint) -> LobeFootprint {
 
 // WGSL only: Rust has it as a closure.
 fn lobe_footprint_shrunk(x: f32, largest: f32) -> f32 {
-    return lobe_min(lobe_max(x, -LOBE_MAX), LOBE_MAX) / largest * LOBE_LARGEST;
+    return lobe_kept(lobe_finite(x) / largest) * LOBE_LARGEST;
 }
 
 // Rust: `Footprint::scaled`. 0 for NaN.

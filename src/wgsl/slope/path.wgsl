@@ -17,16 +17,15 @@ struct LobePath {
 fn lobe_vertex_at(position: vec3f) -> LobeVertex {
     let none = LobeVertex(vec3f(0.0, 0.0, 0.0), 0.0);
     let scale = lobe_max(lobe_max(lobe_max(0.0, abs(position.x)), abs(position.y)), abs(position.z));
-    if !(scale > 0.0 && lobe_footprint_is_known(position)) {
+    let invertible = lobe_min(scale, 1.0) * LOBE_MAX >= 1.0;
+    if !(invertible && lobe_footprint_is_known(position)) {
         return none;
     }
-    let unit = vec3f(position.x / scale, position.y / scale, position.z / scale);
-    let length = sqrt(lobe_dot(unit, unit));
-    let inverse_distance = 1.0 / length / scale;
-    if !lobe_is_finite(inverse_distance) {
-        return none;
-    }
-    return LobeVertex(vec3f(unit.x / length, unit.y / length, unit.z / length), inverse_distance);
+    let unit =
+        vec3f(lobe_kept(position.x / scale), lobe_kept(position.y / scale), lobe_kept(position.z / scale));
+    // At least 1, but where a driver's quotient by the largest numbers is 0.
+    let length = lobe_max(sqrt(lobe_dot(unit, unit)), 1.0);
+    return LobeVertex(vec3f(unit.x / length, unit.y / length, unit.z / length), 1.0 / length / scale);
 }
 
 // Rust: `Vertex::distant`. The zero vector where that returns an error.
@@ -76,7 +75,6 @@ fn lobe_path_slope_jacobian(path: LobePath) -> mat2x2f {
     let s = lobe_motion_plane_step(lobe_path_motion(path, vec2f(1.0, 0.0)), g);
     let t = lobe_motion_plane_step(lobe_path_motion(path, vec2f(0.0, 1.0)), g);
     return mat2x2f(
-        lobe_min(lobe_max(s.x, -LOBE_MAX), LOBE_MAX), lobe_min(lobe_max(s.y, -LOBE_MAX), LOBE_MAX),
-        lobe_min(lobe_max(t.x, -LOBE_MAX), LOBE_MAX), lobe_min(lobe_max(t.y, -LOBE_MAX), LOBE_MAX)
+        lobe_finite(s.x), lobe_finite(s.y), lobe_finite(t.x), lobe_finite(t.y)
     );
 }

@@ -34,7 +34,7 @@ struct LobeHalfSum {
 
 // WGSL only: a direction of NaN sees nothing, as from a mirror's horizon.
 fn lobe_view_of(w: vec3f, mean_area: f32, stretch_squared: f32) -> LobeView {
-    let known = w.x == w.x && w.y == w.y && w.z == w.z;
+    let known = lobe_is_number(w.x + w.y + w.z);
     return LobeView(select(0.0, lobe_defined(mean_area), known), select(0.0, stretch_squared, known));
 }
 
@@ -174,7 +174,7 @@ fn lobe_full_new(roughness: LobeRoughness) -> LobeFull {
         root_det,
         select(inverse, 0.0, flat),
         along,
-        lobe_min(xx / lobe_max(root_det, LOBE_MIN_POSITIVE), LOBE_MAX),
+        lobe_below_infinity(xx / lobe_max(root_det, LOBE_MIN_POSITIVE)),
         select(root_det * along, psd.yy, flat)
     );
 }

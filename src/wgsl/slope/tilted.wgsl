@@ -19,7 +19,7 @@ fn lobe_tilted_form(shape: LobeTilted, m: vec3f, m_low: vec3f) -> f32 {
     let low = vec2f(x.y + (m_low.x + mean.x * m_low.z), y.y + (m_low.y + mean.y * m_low.z));
     let x_sum = lobe_kept(x.x + low.x);
     let y_sum = lobe_kept(y.x + low.y);
-    let rest = vec3f(low.x - (x_sum - x.x), low.y - (y_sum - y.x), m_low.z);
+    let rest = vec3f(low.x - lobe_kept(x_sum - x.x), low.y - lobe_kept(y_sum - y.x), m_low.z);
     return lobe_full_form(shape.shape, vec3f(x_sum, y_sum, m.z), rest);
 }
 

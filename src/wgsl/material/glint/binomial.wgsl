@@ -40,7 +40,8 @@ fn lobe_binomial_new(n: f32, p: f32) -> LobeBinomial {
         let steps = f32(lobe_floor(place));
         let above = lobe_min(0.5 * lobe_exp(steps * LOBE_BINOMIAL_LN_LATTICE), 0.5);
         let below = LOBE_BINOMIAL_LATTICE * above;
-        binomial.of_high = lobe_min(lobe_max((rarer - below) / (above - below), 0.0), 1.0);
+        let step = lobe_max(above - below, LOBE_MIN_POSITIVE);
+        binomial.of_high = lobe_min(lobe_max((rarer - below) / step, 0.0), 1.0);
         binomial.low = lobe_inversion_new(trials, below);
         binomial.high = lobe_inversion_new(trials, above);
     }

@@ -44,8 +44,8 @@ fn lobe_level_new(pixel: LobePatch, width: f32, exponent: i32) -> LobeLevel {
     let centre = select(vec2f(x, y), vec2f(y, x), along_v);
     let right = select(pixel.right, pixel.right.yx, along_v) * inverse;
     let up = select(pixel.up, pixel.up.yx, along_v) * inverse;
-    // -1 where the pixel is too small for squares: none looks at it there.
-    let skew = (right.x * right.y + up.x * up.y) / (right.x * right.x + up.x * up.x);
+    // 0 where the pixel is too small for squares: no cell looks at it there.
+    let skew = (right.x * right.y + up.x * up.y) / lobe_max(right.x * right.x + up.x * up.x, LOBE_MIN_POSITIVE);
     let most = f32(2u * LOBE_LEVEL_ANISOTROPY);
     let long = lobe_min(lobe_max(abs(right.x), lobe_max(abs(up.x), 0.0)), most);
     let half = 0.5 * lobe_max(long - lobe_max(width * inverse, 1.0), 0.0);

@@ -71,8 +71,11 @@ fn lobe_glint_lobe_lobe(lobe: LobeGlintLobe) -> Lobe {
     return Lobe(lobe.mean, lobe.global);
 }
 
-// Rust: `GlintLobe::probability`. 0 for NaN.
+// Rust: `GlintLobe::probability`. 0 at the horizon and below, and for NaN.
 fn lobe_glint_lobe_probability(lobe: LobeGlintLobe, h: vec3f, blur: f32) -> f32 {
+    if !(h.z > 0.0) {
+        return 0.0;
+    }
     return lobe_glint_lobe_reflection(lobe, h, lobe_glint_lobe_blurred(lobe, blur)).probability;
 }
 
@@ -93,7 +96,7 @@ fn lobe_glint_lobe_slope_pdf(lobe: LobeGlintLobe, h: vec3f, blur: f32) -> f32 {
     }
     // Not `lobe_slope_of`, which has 0 for NaN.
     let at = lobe_tilted_normal(lobe_shape(lobe_glint_lobe_lobe(lobe)), vec3f(h.x / h.z, h.y / h.z, 1.0));
-    return lobe_min(lobe_defined(lobe_beckmann_slope_pdf(at) * lobe_glint_lobe_sparkle(lobe, h, blur)), LOBE_MAX);
+    return lobe_below_infinity(lobe_defined(lobe_beckmann_slope_pdf(at) * lobe_glint_lobe_sparkle(lobe, h, blur)));
 }
 
 // Rust: `GlintLobe::brdf`. 0 for NaN.
@@ -103,7 +106,7 @@ fn lobe_glint_lobe_brdf(lobe: LobeGlintLobe, wo: vec3f, wi: vec3f, radius: f32) 
         return 0.0;
     }
     let sparkle = lobe_glint_lobe_sparkle(lobe, lobe_half_vector(wo, wi), lobe_light_blur(wo, wi, radius));
-    return lobe_min(lobe_defined(brdf * sparkle), LOBE_MAX);
+    return lobe_below_infinity(lobe_defined(brdf * sparkle));
 }
 
 // Rust: `GlintLobe::blurred`.
@@ -125,21 +128,23 @@ fn lobe_glint_lobe_reflection(lobe: LobeGlintLobe, h: vec3f, local: LobePsd) -> 
     }
     let shape = lobe_shape(lobe_glint_lobe_lobe(lobe));
     let form = lobe_tilted_form(shape, h, vec3f(0.0, 0.0, 0.0));
-    let exponent = form / (shape.shape.root_det * h.z * h.z);
-    let peaks = lobe_min(local.root_det / global.root_det, 1.0);
+    // Mirrors have nothing to divide by.
+    let exponent = form / lobe_max(shape.shape.root_det * h.z * h.z, LOBE_MIN_POSITIVE);
+    let peaks = lobe_min(local.root_det / lobe_max(global.root_det, LOBE_MIN_POSITIVE), 1.0);
     let factor = lobe_psd_cholesky(local);
     let per_bin = 2.0 / ((1.0 + h.z) * LOBE_GLINT_SIDE);
-    let x = h.x * per_bin / factor.x;
-    let y = (h.y * per_bin - factor.y * x) / factor.z;
-    return LobeReflection(lobe_max(peaks * lobe_exp(-exponent), 0.0), vec2f(x, y));
+    let x = h.x * per_bin / lobe_max(factor.x, LOBE_MIN_POSITIVE);
+    let y = (h.y * per_bin - factor.y * x) / lobe_max(factor.z, LOBE_MIN_POSITIVE);
+    return LobeReflection(lobe_defined(peaks * lobe_exp(-exponent)), vec2f(x, y));
 }
 
 // Rust: `GlintLobe::across`: the probability, and the bin across.
 fn lobe_glint_lobe_across(slope: f32, mean: f32, local: f32, global: f32) -> vec2f {
     let offset = slope + mean;
-    let peaks = sqrt(lobe_min(local / global, 1.0));
-    let probability = lobe_max(peaks * lobe_exp(-(offset * offset / global)), 0.0);
-    return vec2f(probability, slope / (LOBE_GLINT_SIDE * sqrt(local)));
+    let square = lobe_max(global, LOBE_MIN_POSITIVE);
+    let peaks = sqrt(lobe_min(local / square, 1.0));
+    let probability = lobe_defined(peaks * lobe_exp(-(offset * offset / square)));
+    return vec2f(probability, slope / lobe_max(LOBE_GLINT_SIDE * sqrt(local), LOBE_MIN_POSITIVE));
 }
 
 // Rust: `GlintLobe::mixed`, and what its two callers make of the cells: white, or in colours.
@@ -176,9 +181,10 @@ fn lobe_glint_lobe_mixed(lobe: LobeGlintLobe, h: vec3f, blur: f32, coloured: boo
             }
         }
     }
+    let whole = lobe_max(shares, LOBE_MIN_POSITIVE);
     return vec3f(
-        lobe_glint_lobe_shared(lobe, sum.x / shares), lobe_glint_lobe_shared(lobe, sum.y / shares),
-        lobe_glint_lobe_shared(lobe, sum.z / shares)
+        lobe_glint_lobe_shared(lobe, sum.x / whole), lobe_glint_lobe_shared(lobe, sum.y / whole),
+        lobe_glint_lobe_shared(lobe, sum.z / whole)
     );
 }
 

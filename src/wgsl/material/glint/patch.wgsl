@@ -23,11 +23,11 @@ fn lobe_patch_area(pixel: LobePatch) -> f32 {
 // Rust: `Patch::width`. 0 for NaN.
 fn lobe_patch_width(pixel: LobePatch) -> f32 {
     let extents = lobe_patch_extents(pixel);
-    let long = lobe_max(extents.x, extents.y);
-    let p = vec2f(pixel.right.x / long, pixel.right.y / long);
-    let q = vec2f(pixel.up.x / long, pixel.up.y / long);
+    let long = lobe_max(lobe_max(extents.x, extents.y), LOBE_MIN_POSITIVE);
+    let p = vec2f(lobe_kept(pixel.right.x / long), lobe_kept(pixel.right.y / long));
+    let q = vec2f(lobe_kept(pixel.up.x / long), lobe_kept(pixel.up.y / long));
     let twice = lobe_patch_length(p.x + q.y, p.y - q.x) + lobe_patch_length(p.x - q.y, p.y + q.x);
-    return lobe_max(long * (2.0 * abs(lobe_cross(p, q)) / twice), 0.0);
+    return lobe_defined(long * (2.0 * abs(lobe_cross(p, q)) / lobe_max(twice, LOBE_MIN_POSITIVE)));
 }
 
 // WGSL only: of `Patch::width`, which has it as a closure.

@@ -8,5 +8,5 @@ fn lobe_cube_lod(solid_angle: f32, face: f32) -> f32 {
 
 // Rust: `log_two`.
 fn lobe_lod_log(x: f32) -> f32 {
-    return lobe_ln(lobe_min(lobe_max(x, LOBE_MIN_POSITIVE), LOBE_MAX)) * 1.44269504;
+    return lobe_ln(lobe_below_infinity(lobe_max(x, LOBE_MIN_POSITIVE))) * 1.44269504;
 }

@@ -33,7 +33,7 @@ fn lobe_leadr_new(lobe: Lobe) -> LobeLeadr {
 fn lobe_leadr_specular(surface: LobeLeadr, wo: vec3f, wi: vec3f) -> f32 {
     let area = lobe_max(lobe_tilted_mean_area(surface.shape, wi), 0.0);
     let brdf = lobe_beckmann_brdf(lobe_tilted_pair(surface.shape, wo, wi));
-    return lobe_min(lobe_defined(brdf * area), LOBE_MAX);
+    return lobe_below_infinity(lobe_defined(brdf * area));
 }
 
 // Rust: `Leadr::specular`, with masking alone. 0 for NaN.

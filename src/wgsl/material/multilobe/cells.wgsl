@@ -100,7 +100,7 @@ fn lobe_cells_chosen(cells: LobeCells, dictionary: LobeDictionary, u: f32) -> Lo
             for (var walk = lobe_cells_first(cells, step); lobe_cells_more(walk); walk = lobe_cells_next(walk)) {
                 whole = whole + lobe_cells_weight(walk);
             }
-            let share = level / whole;
+            let share = level / lobe_max(whole, LOBE_MIN_POSITIVE);
             for (var walk = lobe_cells_first(cells, step); lobe_cells_more(walk); walk = lobe_cells_next(walk)) {
                 let weight = lobe_cells_weight(walk);
                 if weight > 0.0 && (chosen_step < 0 || sum <= u) {

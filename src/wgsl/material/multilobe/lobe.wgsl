@@ -51,7 +51,7 @@ fn lobe_patch_lobe_slope_pdf(lobe: LobePatchLobe, slope: vec2f) -> f32 {
             mean = mean + share * lobe_patch_lobe_level(lobe, terms, step);
         }
     }
-    return lobe_min(lobe_max(mean, 0.0), LOBE_MAX);
+    return lobe_below_infinity(lobe_max(mean, 0.0));
 }
 
 // Rust: `PatchLobe::d`. 0 for NaN.
@@ -62,7 +62,7 @@ fn lobe_patch_lobe_d(lobe: LobePatchLobe, m: vec3f) -> f32 {
     let square = m.z * m.z;
     // Not `lobe_slope_of`, which has 0 for NaN.
     let density = lobe_patch_lobe_slope_pdf(lobe, vec2f(-m.x / m.z, -m.y / m.z));
-    return lobe_min(lobe_defined(density / (square * square)), LOBE_MAX);
+    return lobe_below_infinity(lobe_defined(density / (square * square)));
 }
 
 // Rust: `PatchLobe::brdf`. 0 for NaN.
@@ -71,7 +71,7 @@ fn lobe_patch_lobe_brdf(lobe: LobePatchLobe, wo: vec3f, wi: vec3f) -> f32 {
     let masking = lobe_cavity_masking_shadowing(wo, wi, h);
     if masking > 0.0 {
         let weight = masking / (4.0 * wo.z * wi.z);
-        return lobe_min(lobe_defined(lobe_patch_lobe_d(lobe, h) * weight), LOBE_MAX);
+        return lobe_below_infinity(lobe_defined(lobe_patch_lobe_d(lobe, h) * weight));
     }
     return 0.0;
 }
@@ -94,7 +94,7 @@ fn lobe_patch_lobe_level(lobe: LobePatchLobe, terms: LobePatchTerms, step: i32) 
             whole = whole + weight;
         }
     }
-    return sum / whole;
+    return sum / lobe_max(whole, LOBE_MIN_POSITIVE);
 }
 
 // WGSL only: of `PatchLobe::slope_pdf`, which has it as a closure: one cell's density.

@@ -32,7 +32,7 @@ fn lobe_patch_lobe_pdf(lobe: LobePatchLobe, wo: vec3f, wi: vec3f) -> f32 {
     let h = lobe_half_vector(wo, wi);
     let masking = lobe_cavity_masking(wo, h);
     if masking > 0.0 {
-        return lobe_min(lobe_defined(lobe_patch_lobe_d(lobe, h) * (masking / (4.0 * wo.z))), LOBE_MAX);
+        return lobe_below_infinity(lobe_defined(lobe_patch_lobe_d(lobe, h) * (masking / (4.0 * wo.z))));
     }
     return 0.0;
 }
