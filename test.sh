@@ -142,7 +142,7 @@ export VK_DRIVER_FILES VK_ICD_FILENAMES=$VK_DRIVER_FILES NODEVICE_SELECT=1
 echo "   $VK_DRIVER_FILES"
 [[ $VK_DRIVER_FILES == *swiftshader* ]] || skip "a second driver: Chromium's SwiftShader is not installed"
 real_gpu || skip "real GPUs: there is none"
-for checks in "spirv-val spirv-tools" "glslangValidator glslang-tools"; do
+for checks in "spirv-val spirv-tools" "glslangValidator glslang-tools" "c++ g++" "clang++ clang"; do
     read -r tool package <<<"$checks"
     command -v "$tool" >/dev/null || install_packages "$package" ||
         skip "checks by $tool: $package could not be installed"

@@ -7,6 +7,7 @@
 //! The drivers are lavapipe, which tests need, and SwiftShader and real GPUs where they are present.
 
 pub mod compute;
+pub mod cpp;
 pub mod device;
 pub mod exact;
 pub mod render;

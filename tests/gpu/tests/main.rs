@@ -11,6 +11,7 @@ mod link;
 mod translate;
 
 mod engines;
+mod fast_math;
 mod harness;
 mod mirror;
 mod render;

@@ -140,17 +140,7 @@ impl Twin {
 
     /// What WGSL computes it with: the functions that it needs and no others of the mirror.
     pub fn library(&self) -> String {
-        let body = self.body();
-        let helpers = [
-            ("put_together(", PUT_TOGETHER),
-            ("four(", FOUR),
-            ("glittering(", GLITTERING),
-            ("faceted(", FACETED),
-            ("patched(", PATCHED),
-        ];
-        let helpers = helpers.iter().filter(|(call, _)| body.contains(call));
-        let helpers: String = helpers.map(|(_, helper)| *helper).collect();
-        needed(&(body + &helpers)) + &helpers
+        library(std::slice::from_ref(self))
     }
 
     /// The WGSL statements of one evaluation.
@@ -167,7 +157,7 @@ impl Twin {
     /// The job, over a library from [`Twin::library`] and a body from [`Twin::body`].
     pub fn job<'a>(&self, library: &'a str, body: &'a str) -> Job<'a> {
         let dictionary = if library.contains("lobe_dictionary:") {
-            facets::dictionary::<f32>().nodes()
+            dictionary()
         } else {
             &[]
         };
@@ -223,6 +213,26 @@ macro_rules! twins {
     };
 }
 use twins;
+
+/// What WGSL computes `twins` with: the functions that they need and no others of the mirror.
+pub fn library(twins: &[Twin]) -> String {
+    let bodies: String = twins.iter().map(Twin::body).collect();
+    let helpers = [
+        ("put_together(", PUT_TOGETHER),
+        ("four(", FOUR),
+        ("glittering(", GLITTERING),
+        ("faceted(", FACETED),
+        ("patched(", PATCHED),
+    ];
+    let helpers = helpers.iter().filter(|(call, _)| bodies.contains(call));
+    let helpers: String = helpers.map(|(_, helper)| *helper).collect();
+    needed(&(bodies + &helpers)) + &helpers
+}
+
+/// The nodes of the dictionary that twins of facets read.
+pub fn dictionary() -> &'static [[f32; 2]] {
+    facets::dictionary::<f32>().nodes()
+}
 
 /// All of them.
 pub fn all() -> Vec<Twin> {
