@@ -68,7 +68,7 @@ pub enum Error {
     Texel,
     /// `displacement` is beyond 1e9 in magnitude, or NaN.
     Displacement,
-    /// The length of a mean normal is outside `(0, 1]` or NaN.
+    /// The length of a mean normal is outside `(0, 1 + sqrt(3)/254]` or NaN.
     MeanLength,
     /// `exponent` is outside `[0, 1e9]` or NaN.
     Exponent,
@@ -130,7 +130,7 @@ impl fmt::Display for Error {
             Self::MapSize => "a map must have as many texels as its size says, and at least one",
             Self::Texel => "distances of texels must lie in [1e-9, 1e9], of either sign",
             Self::Displacement => "displacement must lie in [-1e9, 1e9]",
-            Self::MeanLength => "length of a mean normal must lie in (0, 1]",
+            Self::MeanLength => "length of a mean normal must lie in (0, 1 + sqrt(3)/254]",
             Self::Exponent => "exponent must lie in [0, 1e9]",
             Self::Spacing => "spacing of a grid must lie in (0, 10], and it needs a node",
             Self::Range => "range of stored slopes must lie in (1e-9, 1e9], of halves (1e-9, 255]",

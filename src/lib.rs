@@ -88,6 +88,7 @@
 //! | Beckmann density, area, BRDF | 2e-4 | 1e-12 |
 //! | means over polygons, lobe within ten alphas | 1e-5, rarely 1.2e-5 | 1e-9 |
 //! | means over polygons anywhere | 1e-3 | 1e-9 |
+//! | means of mirrors, grooves and alphas below 1e-9, in parts of one over the area | 1e-4 | 1e-9 |
 //!
 //! by tables from arbitrary precision, by property tests and by fuzzing; `cargo run --release --example validate`
 //! prints what is measured.

@@ -2,6 +2,7 @@
 //!
 //! Floor 3.
 
+use super::groove::share;
 use crate::scalar::Real;
 use crate::scalar::exact::{two_product, two_sum};
 use crate::scalar::quadrature::{GAUSS_EIGHT, GAUSS_FOUR};
@@ -19,11 +20,25 @@ fn exp_minus_square<R: Real>(x: R, x_low: R) -> R {
     (-square).exp() * (R::ONE - (error + R::TWO * x * x_low))
 }
 
+/// Mean of the centred Gaussian density $e^{-(s/\alpha)^2}/(\sqrt\pi\,\alpha)$ over `slope +- width/2`.
+///
+/// A mirror's is one over the width within, half of that at either end, and 0 outside; over no width 0. An interval of
+/// more than $2^{48}$ alphas (f32; $2^{106}$ in f64) is a mirror's.
+fn mean_along<R: Real>(slope: R, width: R, alpha: R) -> R {
+    let (centre, half) = (slope.abs(), R::HALF * width.abs());
+    let longest = R::lit(4.0) / (R::EPSILON * R::EPSILON);
+    if alpha >= R::MIN_POSITIVE && half <= longest * alpha {
+        return unit_mean(slope, width, alpha) / alpha;
+    }
+    let share = share(half - centre);
+    if half > R::ZERO { share / half * R::HALF } else { R::ZERO }
+}
+
 /// Mean of $e^{-t^2}/\sqrt\pi$ over `(slope +- width/2) / alpha`.
 ///
 /// Short intervals by Gauss-Legendre; long ones by a difference of erfc on the side where both are
 /// small, which then differ by more than a factor of 2. The exponential is a factor of either.
-fn gaussian_mean<R: Real>(slope: R, width: R, alpha: R) -> R {
+fn unit_mean<R: Real>(slope: R, width: R, alpha: R) -> R {
     let (centre, centre_low) = divide(slope.abs(), alpha);
     let (half, half_low) = divide(R::HALF * width.abs(), alpha);
     if half * (R::ONE + R::TWO * centre) <= R::HALF {
@@ -52,8 +67,8 @@ fn gaussian_mean<R: Real>(slope: R, width: R, alpha: R) -> R {
 ///
 /// $\prod_k \frac{1}{2 w_k} [\mathrm{erf}((s_k + w_k/2)/\alpha_k) - \mathrm{erf}((s_k -
 /// w_k/2)/\alpha_k)]$, without the cancellation of that difference. `alphas` along the axes of the
-/// rectangle, positive; 0 is a mirror: the mean is then 0. `widths` are full widths, 0 included; their sign
-/// does not matter. With the Gaussian pixel kernel Beckmann has a closed form ([`Roughness::widened`](crate::Roughness::widened));
+/// rectangle, 0 included: the mean of a mirror along an axis is $1/w_k$ within the rectangle, half of that at its
+/// border, 0 outside, and 0 over no width. `widths` are full widths, 0 included; their sign does not matter. With the Gaussian pixel kernel Beckmann has a closed form ([`Roughness::widened`](crate::Roughness::widened));
 /// this one is its box-pixel counterpart.
 ///
 /// ```
@@ -69,10 +84,7 @@ pub fn beckmann_rectangle_mean<R: Real>(
     widths: impl Into<[R; 2]>,
 ) -> R {
     let (alphas, slope, widths) = (alphas.into(), slope.into(), widths.into());
-    if !(alphas[0] >= R::MIN_POSITIVE && alphas[1] >= R::MIN_POSITIVE) {
-        return R::ZERO;
-    }
-    let along = |k: usize| gaussian_mean(slope[k], widths[k], alphas[k]) / alphas[k];
+    let along = |k: usize| mean_along(slope[k], widths[k], alphas[k]);
     // `max` drops the NaN of an infinite width.
     (along(0) * along(1)).max(R::ZERO).min(R::MAX)
 }

@@ -6,22 +6,37 @@
 use crate::error::Error;
 use crate::scalar::Real;
 
+/// How much longer than 1 a mean of unit normals may be: $\sqrt 3/254$, what storing its components in 8 bits adds.
+///
+/// A step is $2/255$ in unorm (`n = 2 b/255 - 1`) and $1/127$ in snorm; each component is off by at most half of the
+/// larger, $1/254$, and the vector by at most $\sqrt 3$ times that. A flat texel of a normal map, (128, 128, 255), has
+/// length 1.0000154. Functions of a mean normal's length take lengths up to that for 1 and refuse longer ones. Lengths
+/// below 1 keep what storage made of them: it takes them for variance of up to 0.007.
+///
+/// ```
+/// use lobe::filter::{MEAN_LENGTH_TOLERANCE, toksvig_variance};
+/// let [x, y, z] = [128.0, 128.0, 255.0].map(|b: f32| 2.0 * b / 255.0 - 1.0);
+/// assert_eq!(toksvig_variance((x * x + y * y + z * z).sqrt())?, 0.0);
+/// assert!(toksvig_variance(1.001 + MEAN_LENGTH_TOLERANCE).is_err());
+/// # Ok::<(), lobe::Error>(())
+/// ```
+pub const MEAN_LENGTH_TOLERANCE: f64 = 0.006_819_097_667_594_005;
+
 /// The length of a mean of unit normals, in (0, 1].
 fn checked<R: Real>(length: R) -> Result<R, Error> {
-    // Longer by what rounding adds to a mean of equal ones.
-    let most = R::ONE + R::lit(8.0) * R::EPSILON;
+    let most = R::ONE + R::lit(MEAN_LENGTH_TOLERANCE);
     if length > R::ZERO && length <= most { Ok(length.min(R::ONE)) } else { Err(Error::MeanLength) }
 }
 
 /// Slope variance per axis from the length of a mean unit normal, $\sigma^2 = (1 - |N|)/|N|$.
 ///
-/// Right to first order for isotropic slopes, $|N| \approx 1 - \sigma^2$; 0 for length 1. A map in 8 bits has lengths in
+/// Right to first order for isotropic slopes, $|N| \approx 1 - \sigma^2$; 0 for length 1, and for what 8 bits make longer. A map in 8 bits has lengths in
 /// steps of 1/255: alpha 0.09. Beckmann takes it as it is, $\alpha^2 = 2 \sigma^2$.
 ///
 /// Source: Toksvig 2005, read as a variance.
 ///
 /// # Errors
-/// [`Error::MeanLength`] unless the length lies in (0, 1].
+/// [`Error::MeanLength`] unless the length lies in (0, 1], or above 1 by at most [`MEAN_LENGTH_TOLERANCE`].
 ///
 /// ```
 /// assert_eq!(lobe::filter::toksvig_variance(0.8_f64)?, 0.25 * (1.0 - 0.8) / 0.2);

@@ -13,6 +13,7 @@ mod deferred;
 mod edges;
 mod frame;
 mod gaussian;
+mod groove;
 mod kernel;
 #[cfg(feature = "published")]
 mod length;
@@ -37,7 +38,10 @@ pub use deferred::{
 pub use gaussian::ggx_gaussian_mean;
 pub use kernel::{Kernel, PixelFilter};
 #[cfg(feature = "published")]
-pub use length::{VmfWidening, clean_variance, toksvig_exponent, toksvig_variance, vmf_sharpness};
+pub use length::{
+    MEAN_LENGTH_TOLERANCE, VmfWidening, clean_variance, toksvig_exponent, toksvig_variance,
+    vmf_sharpness,
+};
 pub use light::SphericalGaussian;
 pub use projected::{DiskKernel, projected_alpha};
 pub use proxy::{box_peak_alpha, gaussian_peak_alpha};

@@ -6,6 +6,7 @@
 //! footprint in floating point; the size of the parallelogram against its distance from the lobe decides
 //! among some that agree where they meet:
 //!
+//! - far larger than twice the precision resolves against the lobe, a mirror's among them: a point or a line (groove.rs);
 //! - small: tensor Gauss-Legendre, no transcendental function;
 //! - thick, and around or beside the lobe: the sum over the four edges, straight from the corners (edges.rs);
 //! - narrow: exact means along the long side, Gauss-Legendre across (strip.rs);
@@ -19,7 +20,7 @@ use super::frame::Frame;
 use super::secant::secant_ratio;
 use super::segment::unit_density;
 use super::strip::{Strip, Whitened};
-use super::{edges, thin};
+use super::{edges, groove, thin};
 use crate::ndf::{Distribution, GgxDistribution, Ndf};
 use crate::scalar::Real;
 use crate::scalar::exact::{two_product, two_sum};
@@ -68,9 +69,16 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// distance of the edge's line, $q = 1 + d^2$. A zero footprint gives $P_{22}$ itself, a segment the
     /// mean along it. Error, relative: f32 below 1e-5 within ten alphas of the lobe (1.2e-5 in one of
     /// ten million random footprints) and 1e-3 anywhere; f64 below 1e-9. Components beyond $10^9$ shrink the
-    /// footprint to that, in proportion. Divide by $h_z^4$ for the filtered D ([`Ndf::brdf_over`] does). For a
-    /// mirror the mean is 0: widen
-    /// it first.
+    /// footprint to that, in proportion. Divide by $h_z^4$ for the filtered D ([`Ndf::brdf_over`] does).
+    ///
+    /// A mirror's mean is one over the footprint's area if the footprint holds the lobe's mean slope, half of that if
+    /// the mean slope lies on a side, a quarter if it is a corner, and 0 outside. A groove's, of a lobe that is a mirror
+    /// along one axis, is the mass of the chord that the footprint cuts from the line through the mean slope,
+    /// $\frac12 [x/\sqrt{\alpha^2 + x^2}]$ between the chord's ends, over the area. A footprint without area has
+    /// the mean 0 of a mirror, and of a groove unless it is a segment that crosses it. Alphas in between tend to these
+    /// values: below 1e-9 in f32 within 1e-4 of one over the area. In f32 a lobe counts as a mirror or as a groove if
+    /// $\sqrt{\det A}$ is no normal number, or if the footprint is longer than $2^{48}$ of the narrower alpha ($2^{106}$
+    /// in f64).
     ///
     /// Source: derived here by Green's theorem; the polygon integral of Loubet et al. 2020 in another
     /// form. It answers the open question of Kaplanyan et al. 2016, section 5.3.
@@ -104,13 +112,20 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     ) -> S::Scalar {
         let shape = self.shape();
         let root_det = shape.root_det();
-        if !(root_det > S::Scalar::ZERO) {
-            return S::Scalar::ZERO;
-        }
         let (centre2, side2) = (whitened.centre_squared(), whitened.longer_side_squared());
+        if groove::may_be_unresolved(root_det, side2) {
+            let covered = groove::unresolved(shape, side2, (offset, low), footprint);
+            if let Some(covered) = covered {
+                return covered.mean;
+            }
+        }
         // The distance to the footprint is at least two thirds of that to its centre, or does not matter.
         let nearness = S::Scalar::ONE + S::Scalar::lit(4.0 / 9.0) * centre2;
-        let exact_area = || footprint.area() / root_det;
+        let around = || {
+            let exact_area = || footprint.area() / root_det;
+            let plain = edges::serves_plain_corners(side2);
+            if plain { edges::around_the_lobe(whitened, centre2, side2, exact_area) } else { None }
+        };
         let mean = if side2 <= S::Scalar::lit(COARSE) * nearness {
             if S::Scalar::SINGLE {
                 tensor(whitened, &GAUSS_TWO)
@@ -119,7 +134,7 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
             }
         } else if S::Scalar::SINGLE && side2 <= S::Scalar::lit(FINE) * nearness {
             tensor(whitened, &GAUSS_FOUR)
-        } else if let Some(mean) = edges::around_the_lobe(whitened, centre2, side2, exact_area) {
+        } else if let Some(mean) = around() {
             mean
         } else {
             let strip = Strip::new(whitened);
@@ -192,6 +207,9 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// within 50 % in 96 of 100, never above 4 times the mean, and in rare cases as low as a thirtieth of it
     /// (tests/laws/over.rs).
     ///
+    /// A mirror's or a groove's mean is taken at the height of the mirror's own normal, or of the groove's densest in the
+    /// footprint: $\overline{P_{22}} (1 + |s|^2)^2 V$, with V of [`Ndf::visibility`]. It is 0 over no area, as is the BRDF.
+    ///
     /// Rounding: f32 within 1e-4 where the lobe lies within ten alphas, 1e-3 anywhere, and for alphas above 1 another
     /// 64 roundings times alpha^2; f64 as [`Ndf::parallelogram_mean`].
     ///
@@ -203,6 +221,10 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// let (wo, wi) = ([0.6, 0.0, 0.8], [-0.6, 0.0, 0.8]);
     /// let point = ggx.brdf_over(wo, wi, &Footprint::rectangle([0.0, 0.0]));
     /// assert!((point / ggx.brdf(wo, wi) - 1.0).abs() < 1e-12);
+    /// // A mirror over a pixel: one over the area, over 4 times both cosines.
+    /// let mirror = Ggx::new(Isotropic::new(0.0_f64)?);
+    /// let seen = mirror.brdf_over(wo, wi, &Footprint::rectangle([0.01, 0.01]));
+    /// assert!((seen - 3906.25).abs() < 1e-9);
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
@@ -231,11 +253,68 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         let footprint = &footprint.bounded();
         let offset = self.offset_of([x, y], [x_low, y_low]);
         let whitened = Whitened::new(self.shape(), offset.0, offset.1, footprint);
+        let side2 = whitened.longer_side_squared();
+        if groove::may_be_unresolved(root_det, side2) {
+            let covered = groove::unresolved(self.shape(), side2, offset, footprint);
+            if let Some(covered) = covered {
+                return if z > zero { self.groove_over(wo, wi, covered) } else { zero };
+            }
+        }
         let mean = self.mean_of(&whitened, offset, footprint);
+        if !(pi_point >= S::Scalar::MIN_POSITIVE) {
+            // So narrow a lobe, or so low a half vector: only a footprint that reaches the lobe has a mean.
+            let covered = groove::covered(self.shape(), offset, footprint);
+            let seen = z > zero && covered.mean > zero;
+            let covered = groove::Covered { mean, ..covered };
+            return if seen { self.groove_over(wo, wi, covered).max(brdf) } else { brdf };
+        }
         let ratio = (mean * S::Scalar::PI / pi_point).min(S::Scalar::MAX).sqrt();
-        let factor = ratio * secant_ratio([x, y], form / root_det, ratio, footprint, &whitened);
+        let groove = || self.groove_place(offset, footprint);
+        let secant = secant_ratio([x, y], form / root_det, ratio, footprint, &whitened, groove);
+        let factor = ratio * secant;
         // `max` drops NaN: of a NaN footprint, or of 0 times infinity.
-        let filtered = (brdf * factor * factor).max(zero).min(S::Scalar::MAX);
-        if pi_point >= S::Scalar::MIN_POSITIVE { filtered } else { brdf }
+        (brdf * factor * factor).max(zero).min(S::Scalar::MAX)
+    }
+
+    /// [`Ndf::brdf_over`] of a mirror or a groove, for a half vector above the surface: the density of normals that its
+    /// footprint covers, at their own height.
+    #[inline(never)]
+    fn groove_over(
+        &self,
+        wo: [S::Scalar; 3],
+        wi: [S::Scalar; 3],
+        groove::Covered { mean, place }: groove::Covered<S::Scalar>,
+    ) -> S::Scalar {
+        let [x, y] = self.at_place(place);
+        let secant2 = S::Scalar::ONE + x * x + y * y;
+        // `max` drops NaN: of 0 times infinity.
+        let filtered = mean * self.visibility(wo, wi) * secant2 * secant2;
+        filtered.max(S::Scalar::ZERO).min(S::Scalar::MAX)
+    }
+
+    /// If the lobe is a few hundred times as long as wide, and the footprint reaches as far across it: the slope that the
+    /// mean comes from, and its q.
+    #[inline(never)]
+    fn groove_place(
+        &self,
+        offset: ([S::Scalar; 2], [S::Scalar; 2]),
+        footprint: &Footprint<S::Scalar>,
+    ) -> Option<([S::Scalar; 2], S::Scalar)> {
+        let (axis, alpha) = self.shape().major();
+        let least = S::Scalar::lit(300.0) * self.shape().root_det();
+        if !(alpha * alpha.min(groove::reach_across(axis, footprint)) >= least) {
+            return None;
+        }
+        let place = groove::covered(self.shape(), offset, footprint).place;
+        let [x, y] = place.map(|x| x / alpha);
+        Some((self.at_place(place), x * x + y * y))
+    }
+
+    /// A slope from its difference to the mean slope.
+    #[inline(always)]
+    fn at_place(&self, [x, y]: [S::Scalar; 2]) -> [S::Scalar; 2] {
+        // The origin less the mean slope.
+        let ([a, b], _) = self.shape().offset([S::Scalar::ZERO; 2]);
+        [x - a, y - b]
     }
 }

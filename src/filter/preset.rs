@@ -17,10 +17,10 @@ use crate::scalar::Real;
 /// ```
 /// use lobe::filter::preset::Engine;
 /// let (dn_u, dn_v) = ([0.2_f64, 0.0, 0.0], [0.0, 0.2, 0.0]);
-/// let alphas = Engine::ALL.map(|engine| engine.alpha(0.01, dn_u, dn_v).unwrap());
-/// // One surface, seven answers.
-/// let most = alphas.iter().fold(0.0, |a: f64, &b| a.max(b));
-/// let least = alphas.iter().fold(1.0, |a: f64, &b| a.min(b));
+/// let alphas = Engine::ALL.iter().map(|engine| engine.alpha(0.01, dn_u, dn_v).unwrap());
+/// // One surface, as many answers as engines.
+/// let most = alphas.clone().fold(0.0, f64::max);
+/// let least = alphas.fold(1.0, f64::min);
 /// assert!(most > 2.0 * least);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -69,7 +69,7 @@ impl Added {
 
 impl Engine {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: &'static [Self] = &[
         Self::Filament,
         Self::UnityHdrp,
         Self::Godot,

@@ -102,7 +102,7 @@ impl<R: Real> Whitened<R> {
         let inverse = R::ONE / lobe.root_det().max(R::MIN_POSITIVE);
         let trace = (lobe.mixed_det(kernel) * inverse).kept() * inverse;
         let root_det = kernel.root_det() * inverse;
-        trace.is_finite().then_some(Self { trace, root_det })
+        (trace <= R::LARGEST * R::LARGEST).then_some(Self { trace, root_det })
     }
 
     /// t with $\det(I + t A^{-1} K) = r^2$.
@@ -154,7 +154,12 @@ fn mirror_factor<R: Real>(lobe: &Psd<R>, kernel: &Psd<R>) -> R {
 /// leave f32.
 fn positive_root<R: Real>(d: R, m: R, e: R) -> R {
     let twice = (R::TWO * d * e).min(R::MAX);
-    let scale = m.max(twice).max(R::MIN_POSITIVE);
+    let scale = m.max(twice);
+    if d > R::ZERO && !(scale > R::ZERO) {
+        // Neither is a number of this precision: a mirror over a small area.
+        return e / d;
+    }
+    let scale = scale.max(R::MIN_POSITIVE);
     let (x, y) = ((m / scale).kept(), (twice / scale).kept());
     let sum = m + scale * (x * x + y * y).sqrt();
     R::TWO * e * (e / sum.max(R::MIN_POSITIVE))
@@ -216,7 +221,7 @@ impl<R: Real> Roughness<R> {
     ///
     /// By [`Ndf::parallelogram_mean`](crate::Ndf::parallelogram_mean) at the centre. For isotropic A and a square it
     /// is [`box_peak_alpha`]; t is 1/3 for small footprints, $1/\pi$ for large areas, $4/\pi^2$ for long lines, down to
-    /// $2/\pi^2$ where both sides lie along one line. A mirror, along one axis or both, gets $1/\pi$.
+    /// $2/\pi^2$ where both sides lie along one line. A mirror gets $1/\pi$, and so does a groove over a line along it.
     ///
     /// ```
     /// use lobe::{Footprint, Ggx, Roughness, filter::box_peak_alpha};
@@ -231,12 +236,12 @@ impl<R: Real> Roughness<R> {
     pub fn peak_matched_over(&self, footprint: &Footprint<R>) -> Self {
         let footprint = footprint.bounded();
         let kernel = Psd::outer_sum(footprint.u, footprint.v);
-        if self.matrix().is_singular() {
-            // Its density is 0 wherever it is asked for.
+        let peak = Ggx::new(Full::new(*self)).parallelogram_mean([R::ZERO; 2], &footprint);
+        if !(peak > R::ZERO) {
+            // A mirror over no area, or a groove over a line along it: the peak has no end.
             return self
                 .plus(&Self::from_matrix(kernel.scaled(R::lit(core::f64::consts::FRAC_1_PI))));
         }
-        let peak = Ggx::new(Full::new(*self)).parallelogram_mean([R::ZERO; 2], &footprint);
         self.with_peak(&kernel, peak, [0.2, 0.41])
     }
 

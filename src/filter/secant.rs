@@ -15,6 +15,9 @@ use crate::slope::Footprint;
 /// against the lobe there, and the half vector along short ones; the way from its q to $q_*$ is converted at the
 /// footprint's own rate of slope to whitened slope. For isotropic lobes that is $1 + \alpha^2 q_*$ whatever the first
 /// slope. Between 1 and the farthest corner's value.
+///
+/// `groove` answers where whitened sides are nearly parallel: the first slope and its q, if the lobe is so much narrower
+/// along one axis that the footprint takes it for a groove.
 #[inline]
 pub(super) fn secant_ratio<R: Real>(
     slope: [R; 2],
@@ -22,14 +25,45 @@ pub(super) fn secant_ratio<R: Real>(
     ratio: R,
     footprint: &Footprint<R>,
     whitened: &Whitened<R>,
+    groove: impl FnOnce() -> Option<([R; 2], R)>,
 ) -> R {
     let (zero, one, least) = (R::ZERO, R::ONE, R::MIN_POSITIVE);
-    let Whitened { centre, u, v } = *whitened;
+    let Whitened { u, v, .. } = *whitened;
     let there = ((one + q - ratio) / ratio.max(least)).max(zero).min(R::MAX);
     let (u_squared, v_squared) = (dot(u, u), dot(v, v));
+    let area = u[0] * v[1] - u[1] * v[0];
+    // A quotient, as f32 has no fourth powers of a billion lobes.
+    let parallel = area * (area / u_squared.max(least)) <= R::lit(1e-6) * v_squared;
+    let as_groove = if parallel { groove() } else { None };
+    let (s, first_squared) = as_groove.unwrap_or_else(|| {
+        let [i, j, first] = first_place(whitened, u_squared, v_squared, area, parallel);
+        ([0, 1].map(|k| slope[k] + i * footprint.u[k] + j * footprint.v[k]), first)
+    });
 
+    let sides = dot(footprint.u, footprint.u) + dot(footprint.v, footprint.v);
+    let rate = sides / (u_squared + v_squared).max(least);
+    let corner =
+        [0, 1].map(|k| slope[k].abs() + R::HALF * (footprint.u[k].abs() + footprint.v[k].abs()));
+    let secant = one + dot(s, s) + (there - first_squared) * rate;
+    let secant = secant.max(one).min(one + dot(corner, corner));
+    // A mean that is the point's density but for its own rounding says nothing about where it comes from.
+    let same = (one - ratio).abs() <= R::lit(16.0) * R::EPSILON;
+    if same { one } else { secant / (one + dot(slope, slope)) }
+}
+
+/// Where the first slope lies, in sides from the footprint's centre, and its q.
+#[inline(always)]
+fn first_place<R: Real>(
+    whitened: &Whitened<R>,
+    u_squared: R,
+    v_squared: R,
+    area: R,
+    parallel: bool,
+) -> [R; 3] {
+    let (zero, one) = (R::ZERO, R::ONE);
+    let Whitened { centre, u, v } = *whitened;
     let at = |i: R, j: R| [centre[0] + i * u[0] + j * v[0], centre[1] + i * u[1] + j * v[1]];
-    let [i, j] = densest(whitened, u_squared, v_squared);
+    let [i, j] = densest(whitened, u_squared, v_squared, area, parallel);
     let nearest = at(i, j);
     let reach = R::lit(4.0) * (one + dot(nearest, nearest));
     let (of_u, of_v) = (u_squared / (u_squared + reach), v_squared / (v_squared + reach));
@@ -40,30 +74,25 @@ pub(super) fn secant_ratio<R: Real>(
         (i * of_u, along(at(i * of_u, zero), v, v_squared).0 * of_v)
     };
     let first = at(i, j);
-    let s = [0, 1].map(|k| slope[k] + i * footprint.u[k] + j * footprint.v[k]);
-
-    let sides = dot(footprint.u, footprint.u) + dot(footprint.v, footprint.v);
-    let rate = sides / (u_squared + v_squared).max(least);
-    let corner =
-        [0, 1].map(|k| slope[k].abs() + R::HALF * (footprint.u[k].abs() + footprint.v[k].abs()));
-    let secant = one + dot(s, s) + (there - dot(first, first)) * rate;
-    let secant = secant.max(one).min(one + dot(corner, corner));
-    // A mean that is the point's density but for its own rounding says nothing about where it comes from.
-    let same = (one - ratio).abs() <= R::lit(16.0) * R::EPSILON;
-    if same { one } else { secant / (one + dot(slope, slope)) }
+    [i, j, dot(first, first)]
 }
 
 /// Where the footprint is densest, in sides from its centre: at the lobe's centre if it covers that, else at the
 /// nearest point of the four edges, whitened.
 #[inline]
-fn densest<R: Real>(whitened: &Whitened<R>, u_squared: R, v_squared: R) -> [R; 2] {
+fn densest<R: Real>(
+    whitened: &Whitened<R>,
+    u_squared: R,
+    v_squared: R,
+    area: R,
+    parallel: bool,
+) -> [R; 2] {
     let Whitened { centre, u, v } = *whitened;
     let half = R::HALF;
     let cross = |a: [R; 2], b: [R; 2]| a[0] * b[1] - a[1] * b[0];
-    let area = cross(u, v);
     let (i, j) = (-(cross(centre, v) / area), cross(centre, u) / area);
     // Of nearly parallel sides the area is rounding: they are one segment, end to end.
-    if area * area <= R::lit(1e-6) * u_squared * v_squared {
+    if parallel {
         let sign = if dot(u, v) < R::ZERO { -R::ONE } else { R::ONE };
         let both = [u[0] + sign * v[0], u[1] + sign * v[1]];
         let t = along(centre, both, dot(both, both)).0;

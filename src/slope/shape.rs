@@ -45,6 +45,19 @@ pub trait Shape: Copy {
     /// WGSL: `lobe_full_whiten`.
     fn whiten(&self, v: [Self::Scalar; 2], v_low: [Self::Scalar; 2]) -> [Self::Scalar; 2];
 
+    /// The unit vector of the major axis of A, and alpha along it: all that is left of a groove, whose A has rank one.
+    ///
+    /// $A \approx \alpha^2 g g^T$ for the vector g and alpha, up to the minor axis. `[1, 0]` for a round A.
+    ///
+    /// ```
+    /// use lobe::{AxisAligned, Shape};
+    /// assert_eq!(AxisAligned::new(0.0_f32, 0.3)?.major(), ([0.0, 1.0], 0.3));
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: `lobe_full_major`.
+    fn major(&self) -> ([Self::Scalar; 2], Self::Scalar);
+
     /// $a^2(w) = w_{xy}^T A\, w_{xy}$.
     ///
     /// WGSL: `lobe_isotropic_stretch_squared`, `lobe_axis_aligned_stretch_squared`, `lobe_full_stretch_squared`.
@@ -108,6 +121,10 @@ impl<R: Real> Shape for Isotropic<R> {
     fn whiten(&self, v: [R; 2], _: [R; 2]) -> [R; 2] {
         let inverse = R::ONE / self.alpha;
         [v[0] * inverse, v[1] * inverse]
+    }
+    #[inline(always)]
+    fn major(&self) -> ([R; 2], R) {
+        ([R::ONE, R::ZERO], self.alpha)
     }
     #[inline(always)]
     fn stretch_squared(&self, w: [R; 3]) -> R {
@@ -174,6 +191,11 @@ impl<R: Real> Shape for AxisAligned<R> {
     #[inline(always)]
     fn whiten(&self, v: [R; 2], _: [R; 2]) -> [R; 2] {
         [v[0] * self.inverse[0], v[1] * self.inverse[1]]
+    }
+    #[inline(always)]
+    fn major(&self) -> ([R; 2], R) {
+        let ([x, y], (zero, one)) = (self.alphas, (R::ZERO, R::ONE));
+        if y > x { ([zero, one], y) } else { ([one, zero], x) }
     }
     #[inline(always)]
     fn stretch_squared(&self, w: [R; 3]) -> R {
@@ -267,6 +289,19 @@ impl<R: Real> Shape for Full<R> {
         let u = difference_of_products(self.xx, v[1], self.xy, v[0]) + low;
         let l11 = self.xx.sqrt();
         [(v[0] + v_low[0]) / l11, u * self.inverse_xx * l11 / self.root_det]
+    }
+    /// From the row with the larger diagonal entry, $(x, y)$ with $x$ that entry: $\alpha^2 = (x^2 + y^2)/x$.
+    #[inline(always)]
+    fn major(&self) -> ([R; 2], R) {
+        let yy = self.xy * (self.xy * self.inverse_xx) + self.schur;
+        let swap = yy > self.xx;
+        let large = if swap { yy } else { self.xx };
+        let ratio = self.xy / large.max(R::MIN_POSITIVE);
+        let square = R::ONE + ratio * ratio;
+        let inverse = R::ONE / square.sqrt();
+        let (along, across) = (inverse, ratio * inverse);
+        let axis = if swap { [across, along] } else { [along, across] };
+        (axis, (large * square).sqrt())
     }
     #[inline(always)]
     fn stretch_squared(&self, w: [R; 3]) -> R {

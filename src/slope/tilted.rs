@@ -80,6 +80,10 @@ impl<S: Shape> Shape for Tilted<S> {
         self.shape.whiten(v, v_low)
     }
     #[inline(always)]
+    fn major(&self) -> ([S::Scalar; 2], S::Scalar) {
+        self.shape.major()
+    }
+    #[inline(always)]
     fn stretch_squared(&self, w: [S::Scalar; 3]) -> S::Scalar {
         self.shape.stretch_squared(w)
     }

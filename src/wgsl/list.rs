@@ -112,6 +112,7 @@ items! {
     FullNew: fn "full_new", "Full::new";
     FullForm: fn "full_form", "Full::form";
     FullWhiten: fn "full_whiten", "Full::whiten";
+    FullMajor: fn "full_major", "Full::major";
     FullStretchSquared: fn "full_stretch_squared", "Full::stretch_squared";
     FullNormal: fn "full_normal";
     FullView: fn "full_view";
@@ -261,6 +262,7 @@ items! {
     FragmentDeferredAlpha: fn "fragment_deferred_alpha";
     Fragment: file "fragment";
     #[feature("published")]
+    MeanLengthTolerance: const "MEAN_LENGTH_TOLERANCE", "MEAN_LENGTH_TOLERANCE";
     ToksvigVariance: fn "toksvig_variance", "toksvig_variance";
     ToksvigExponent: fn "toksvig_exponent", "toksvig_exponent";
     CleanVariance: fn "clean_variance", "clean_variance";

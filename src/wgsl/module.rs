@@ -81,6 +81,7 @@ modules! {
     "filter/frame",
     "filter/thin",
     "filter/edges",
+    "filter/groove",
     "filter/secant",
     "filter/polygon",
     "filter/proxy",

@@ -52,7 +52,7 @@ pub enum Preset {
 
 impl Preset {
     /// Every preset, without a filter first; those of features last.
-    pub const ALL: [Self; 13 + 2 * cfg!(feature = "glint") as usize] = [
+    pub const ALL: &'static [Self] = &[
         Self::Plain,
         Self::IsotropicDeferred,
         Self::AnisotropicDeferred,

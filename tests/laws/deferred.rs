@@ -134,7 +134,7 @@ fn presets(source: &mut Source) -> TestCaseResult {
     same(of(Engine::O3de), meant(0.25, 0.18))?;
     let half = tokuyoshi_kaplanyan_deferred_alpha(alpha, u, v, FILTER, 0.18).expect("in range");
     same(of(Engine::BevyProposal), half)?;
-    for engine in Engine::ALL {
+    for &engine in Engine::ALL {
         let (got, none) = (of(engine), engine.alpha(alpha, [0.0; 3], [0.0; 3]).expect("in range"));
         ensure(got.is_finite() && got >= none, "change only adds", &(engine, inputs, got, none))?;
         let more = engine.alpha(alpha, u.map(|x| 2.0 * x), v.map(|x| 2.0 * x)).expect("in range");
@@ -173,7 +173,7 @@ fn numbers_out_of_range_are_refused_and_derivatives_without_a_number_add_nothing
     let huge = [1e200, 0.0, 0.0];
     assert_eq!(tokuyoshi_deferred_alpha(0.0, huge, d, FILTER, 0.18), Ok(0.18_f64.sqrt()));
     assert_eq!(tokuyoshi_deferred_alpha(3.0, d, d, FILTER, 0.18), Ok(3.0));
-    for engine in Engine::ALL {
+    for &engine in Engine::ALL {
         for alpha in [0.0_f32, 1e-9, 0.5, 1.0, 1e9] {
             for x in [0.0_f32, 1e-30, 1e-3, 2.0, f32::MAX, f32::INFINITY, f32::NAN] {
                 let got = engine.alpha(alpha, [x, 0.0, 0.0], [0.0, -x, 0.0]).expect("in range");

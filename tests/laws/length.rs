@@ -4,7 +4,8 @@
 use crate::common::quadrature::adaptive;
 use crate::common::{check, near};
 use lobe::filter::{
-    VmfWidening, clean_variance, toksvig_exponent, toksvig_variance, vmf_sharpness,
+    MEAN_LENGTH_TOLERANCE, VmfWidening, clean_variance, toksvig_exponent, toksvig_variance,
+    vmf_sharpness,
 };
 use lobe::{Beckmann, Error, Isotropic, Roughness, SlopeMoments};
 
@@ -82,15 +83,82 @@ fn clean_is_lean_without_direction() {
     assert_eq!(clean_variance([1.0_f32, 0.0], 0.5), Ok(0.0));
 }
 
+/// The longest that a unit vector becomes when its components are stored: over every stored vector near the sphere
+/// whose cell of rounding reaches the sphere. Components as whole half steps of `1/scale`, odd ones in unorm.
+fn longest_stored(scale: i32, is_unorm: bool) -> f64 {
+    let scale_double = f64::from(scale);
+    let half = if is_unorm { 1.0 } else { 0.5 } / scale_double;
+    let (first, step) = if is_unorm { (1, 2) } else { (0, 1) };
+    let mut longest = 0.0_f64;
+    let components = || (first..=scale).step_by(step);
+    for x in components() {
+        for y in components().filter(|y| *y >= x) {
+            let [x, y] = [x, y].map(|n| f64::from(n) / scale_double);
+            let rest = (1.0 - x * x - y * y).max(0.0).sqrt() * scale_double;
+            for z in components().filter(|z| (f64::from(*z) - rest).abs() < 6.0) {
+                let v = [x, y, f64::from(z) / scale_double];
+                let nearest = v.map(|c| (c - half).max(0.0));
+                let length = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
+                if length(nearest) <= 1.0 {
+                    longest = longest.max(length(v));
+                }
+            }
+        }
+    }
+    longest
+}
+
+/// Unorm: (2 b - 255)/255; snorm: b/127. The bound covers both, and by little.
+#[test]
+fn eight_bits_make_no_normal_longer_than_the_tolerance() {
+    let (unorm, snorm) = (longest_stored(255, true) - 1.0, longest_stored(127, false) - 1.0);
+    assert!(unorm <= 3.0_f64.sqrt() / 255.0 && unorm > 0.98 * MEAN_LENGTH_TOLERANCE, "{unorm}");
+    assert!(snorm <= MEAN_LENGTH_TOLERANCE && snorm > 0.98 * MEAN_LENGTH_TOLERANCE, "{snorm}");
+    assert!((MEAN_LENGTH_TOLERANCE * 254.0 - 3.0_f64.sqrt()).abs() < 1e-15);
+}
+
+/// Every texel that a unit normal is stored as: none is refused, and none longer than 1 has variance.
+#[test]
+fn texels_longer_than_one_have_no_variance() {
+    let decode = |b: u8| 2.0 * f32::from(b) / 255.0 - 1.0;
+    let mut longer = 0;
+    for x in (0..=255).step_by(3) {
+        for y in (0..=255).step_by(5) {
+            // The third component as the byte next to it.
+            let rest = 1.0 - decode(x) * decode(x) - decode(y) * decode(y);
+            if rest < 0.0 {
+                continue;
+            }
+            let error = |b: u8| (decode(b) - rest.sqrt()).abs();
+            let z = (128..=255).min_by(|a, b| error(*a).total_cmp(&error(*b))).expect("bytes");
+            let normal = [x, y, z].map(decode);
+            let length = normal.iter().map(|c| c * c).sum::<f32>().sqrt();
+            let variance = toksvig_variance(length).expect("a stored unit normal");
+            let alpha = VmfWidening::SPECULAR_AA.alpha(0.3_f32, length).expect("a stored normal");
+            if length > 1.0 {
+                longer += 1;
+                assert!(variance == 0.0 && (alpha - 0.3).abs() < 1e-6, "{normal:?}");
+                assert_eq!(toksvig_exponent(100.0, length), Ok(100.0));
+            }
+        }
+    }
+    assert!(longer > 500, "{longer}");
+    let flat = [128, 128, 255].map(decode);
+    let length = flat.iter().map(|c| c * c).sum::<f32>().sqrt();
+    assert!(length > 1.0 && toksvig_variance(length) == Ok(0.0), "{length}");
+    assert_eq!(vmf_sharpness(length), vmf_sharpness(1.0));
+    let most = 1.0 + MEAN_LENGTH_TOLERANCE;
+    assert_eq!(toksvig_variance(most), Ok(0.0));
+    assert_eq!(toksvig_variance(most.next_up().next_up()), Err(Error::MeanLength));
+}
+
 #[test]
 fn lengths_outside_their_range_are_refused() {
-    for bad in [0.0, -0.5, 1.01, f32::NAN, f32::INFINITY] {
+    for bad in [0.0, -0.5, 1.01, 1.0069, f32::NAN, f32::INFINITY] {
         assert_eq!(toksvig_variance(bad), Err(Error::MeanLength));
         assert_eq!(vmf_sharpness(bad), Err(Error::MeanLength));
         assert_eq!(VmfWidening::SPECULAR_AA.alpha(0.1, bad), Err(Error::MeanLength));
     }
-    // A mean of equal unit normals may be longer by rounding.
-    assert_eq!(toksvig_variance(1.0 + f32::EPSILON), Ok(0.0));
     assert_eq!(toksvig_exponent(-1.0, 0.5), Err(Error::Exponent));
     assert_eq!(VmfWidening::THE_ORDER.alpha(-1.0, 0.5), Err(Error::Alpha));
     assert_eq!(clean_variance([f32::NAN, 0.0], 0.5), Err(Error::Mean));

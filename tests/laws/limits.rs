@@ -83,22 +83,6 @@ fn a_mirror_has_no_density_and_the_area_of_its_plane_or_ridge() {
     check(10_000, every_mirror::<BeckmannDistribution, f32>);
 }
 
-#[test]
-fn the_mean_of_a_mirror_is_zero_over_every_footprint() {
-    check(10_000, |source| {
-        let (ridge, angle) = (source.alpha(), source.angle());
-        let (slope, footprint) = (source.slope(), source.footprint());
-        let inputs = (ridge, angle, slope, footprint);
-        let roughness = Roughness::from_alphas(ridge, 0.0, angle).expect("alphas of 0 are mirrors");
-        let full = Ggx::new(Full::new(roughness)).parallelogram_mean(slope, &footprint);
-        let aligned = AxisAligned::new(0.0, ridge).expect("alphas of 0 are mirrors");
-        let aligned = Ggx::new(aligned).parallelogram_mean(slope, &footprint);
-        let [pair, other] = source.pair();
-        let shaded = Ggx::new(Full::new(roughness)).brdf_over(pair, other, &footprint);
-        ensure(full == 0.0 && aligned == 0.0 && shaded == 0.0, "no density, no mean", &inputs)
-    });
-}
-
 /// A direction from `w` down through the surface: exactly opposite, or near it on either side.
 fn opposite(w: [f64; 3], source: &mut Source) -> [f64; 3] {
     let z = match source.pick(4) {

@@ -32,6 +32,7 @@ mod glints;
 mod glints_published;
 mod golden;
 mod grid;
+mod groove;
 mod jacobian;
 mod layers;
 mod leadr;

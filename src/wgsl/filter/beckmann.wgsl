@@ -13,14 +13,26 @@ fn lobe_beckmann_exp_minus_square(x: f32, x_low: f32) -> f32 {
     return lobe_exp(-square.x) * (1.0 - (square.y + 2.0 * x * x_low));
 }
 
+// Rust: `mean_along`.
+fn lobe_beckmann_mean_along(slope: f32, width: f32, alpha: f32) -> f32 {
+    let half = 0.5 * abs(width);
+    if alpha >= LOBE_MIN_POSITIVE && half <= LOBE_GROOVE_LIMIT * alpha {
+        return lobe_beckmann_unit_mean(slope, width, alpha) / alpha;
+    }
+    if half > 0.0 {
+        return lobe_groove_share(half - abs(slope)) / half * 0.5;
+    }
+    return 0.0;
+}
+
 // WGSL only: Rust has it as a closure.
 fn lobe_beckmann_relative(half: f32, centre: f32, y: f32) -> f32 {
     let step = 2.0 * half * y;
     return lobe_exp(-(step * (2.0 * centre + step)));
 }
 
-// Rust: `gaussian_mean`.
-fn lobe_beckmann_gaussian_mean(slope: f32, width: f32, alpha: f32) -> f32 {
+// Rust: `unit_mean`.
+fn lobe_beckmann_unit_mean(slope: f32, width: f32, alpha: f32) -> f32 {
     let centre = lobe_beckmann_divide(abs(slope), alpha);
     let half = lobe_beckmann_divide(0.5 * abs(width), alpha);
     if half.x * (1.0 + 2.0 * centre.x) <= 0.5 {
@@ -48,10 +60,10 @@ fn lobe_beckmann_gaussian_mean(slope: f32, width: f32, alpha: f32) -> f32 {
 // Rust: `beckmann_rectangle_mean`. 0 for NaN and for infinite slopes.
 fn lobe_beckmann_rectangle_mean(alphas: vec2f, slope: vec2f, widths: vec2f) -> f32 {
     let known = lobe_is_finite(slope.x) && lobe_is_finite(slope.y) && lobe_is_number(widths.x) && lobe_is_number(widths.y);
-    if !(known && alphas.x >= LOBE_MIN_POSITIVE && alphas.y >= LOBE_MIN_POSITIVE) {
+    if !known {
         return 0.0;
     }
-    let along_x = lobe_beckmann_gaussian_mean(slope.x, widths.x, alphas.x) / alphas.x;
-    let along_y = lobe_beckmann_gaussian_mean(slope.y, widths.y, alphas.y) / alphas.y;
+    let along_x = lobe_beckmann_mean_along(slope.x, widths.x, alphas.x);
+    let along_y = lobe_beckmann_mean_along(slope.y, widths.y, alphas.y);
     return lobe_below_infinity(lobe_max(lobe_defined(along_x * along_y), 0.0));
 }

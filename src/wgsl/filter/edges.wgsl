@@ -13,6 +13,14 @@ const LOBE_EDGES_HALF_DISTANCE: f32 = 0.25;
 // Rust: `DEEP`.
 const LOBE_EDGES_DEEP: f32 = 0.010000000000000002;
 
+// Rust: `serves_plain_corners`.
+fn lobe_edges_serves_plain_corners(side_squared: f32) -> bool {
+    return side_squared <= LOBE_EDGES_LONGEST * LOBE_EDGES_LONGEST;
+}
+
+// WGSL only: of `serves_plain_corners`.
+const LOBE_EDGES_LONGEST: f32 = 4294967296.0;
+
 // WGSL only: 1/(2 pi).
 const LOBE_EDGES_TURN: f32 = 0.15915494309189535;
 
@@ -149,8 +157,9 @@ fn lobe_edges_far(d: f32, start: f32, end: f32, length: f32) -> f32 {
     let s = sqrt(q);
     let delta = 1.0 / (s + depth);
     let angle = lobe_upper_angle(length * s, q + product);
-    let y = length * delta * (product - s * depth);
-    let x = (q + product) * (d * d + product) + length * length * s * depth;
+    let inverse = 1.0 / length;
+    let y = delta * ((product - s * depth) * inverse);
+    let x = ((q + product) * inverse) * ((d * d + product) * inverse) + s * depth;
     let term = lobe_atan_of(y, x) - angle * delta / s;
     return select(-term, term, d > 0.0);
 }

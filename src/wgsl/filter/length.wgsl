@@ -1,6 +1,10 @@
 // What engines read off a mean of normals. Rust: src/filter/length.rs.
 
-// Rust: `checked`. Lengths outside (0, 1] count as the nearest, NaN as the least.
+// Rust: `MEAN_LENGTH_TOLERANCE`.
+const LOBE_MEAN_LENGTH_TOLERANCE: f32 = 0.006819097667594005;
+
+// Rust: `checked`. Lengths above 1 count as 1, also those above 1 + LOBE_MEAN_LENGTH_TOLERANCE, which Rust refuses;
+// lengths not above 0 count as the smallest normal number, NaN too.
 fn lobe_mean_length(length: f32) -> f32 {
     return lobe_min(lobe_max(length, LOBE_MIN_POSITIVE), 1.0);
 }

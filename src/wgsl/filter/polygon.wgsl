@@ -60,8 +60,11 @@ fn lobe_ggx_parallelogram_mean(shape: LobeTilted, slope: vec2f, footprint: LobeF
 
 // Rust: `Ndf::mean_of`.
 fn lobe_polygon_mean_of(shape: LobeFull, w: LobeWhitened, offset: vec4f, footprint: LobeFootprint) -> f32 {
-    if !(shape.root_det > 0.0) {
-        return 0.0;
+    let side_squared = lobe_max(lobe_strip_dot(w.u, w.u), lobe_strip_dot(w.v, w.v));
+    if lobe_groove_may_be_unresolved(shape.root_det, side_squared) {
+        if lobe_groove_is_unresolved(shape, side_squared, footprint) {
+            return lobe_groove_covered(shape, offset, footprint).mean;
+        }
     }
     return lobe_polygon_unit_mean(shape, w, offset, footprint) / shape.root_det;
 }
@@ -77,9 +80,11 @@ fn lobe_polygon_unit_mean(shape: LobeFull, w: LobeWhitened, offset: vec4f, footp
     if side_squared <= LOBE_POLYGON_FINE * nearness {
         return lobe_polygon_tensor_of_four(w);
     }
-    let around = lobe_edges_around_the_lobe(w, centre_squared, side_squared, footprint, shape.root_det);
-    if around >= 0.0 {
-        return around;
+    if lobe_edges_serves_plain_corners(side_squared) {
+        let around = lobe_edges_around_the_lobe(w, centre_squared, side_squared, footprint, shape.root_det);
+        if around >= 0.0 {
+            return around;
+        }
     }
     var strip = lobe_strip_new(w);
     let keeps_digits = lobe_strip_keeps_digits(strip);
@@ -131,9 +136,56 @@ fn lobe_ggx_brdf_over(shape: LobeTilted, wo: vec3f, wi: vec3f, footprint: LobeFo
     let sides = lobe_footprint_bounded(footprint);
     let offset = lobe_polygon_offset_of(shape, slope, vec2f(x.y, y.y));
     let whitened = lobe_whitened_new(shape.shape, offset.xy, offset.zw, sides);
+    let side_squared = lobe_max(lobe_strip_dot(whitened.u, whitened.u), lobe_strip_dot(whitened.v, whitened.v));
+    if lobe_groove_may_be_unresolved(root_det, side_squared) {
+        if lobe_groove_is_unresolved(shape.shape, side_squared, sides) {
+            let covered = lobe_groove_covered(shape.shape, offset, sides);
+            return select(0.0, lobe_polygon_groove_over(shape, wo, wi, covered), z.x > 0.0);
+        }
+    }
     let mean = lobe_polygon_mean_of(shape.shape, whitened, offset, sides);
+    if !(at_point >= LOBE_MIN_POSITIVE) {
+        let covered = lobe_groove_covered(shape.shape, offset, sides);
+        let over = lobe_polygon_groove_over(shape, wo, wi, LobeGrooveCovered(mean, covered.place));
+        return select(brdf, lobe_max(over, brdf), z.x > 0.0 && covered.mean > 0.0);
+    }
     let ratio = sqrt(lobe_below_infinity(mean * LOBE_PI / at_point));
-    let factor = ratio * lobe_secant_ratio(slope, form / root_det, ratio, sides, whitened);
-    let filtered = lobe_below_infinity(lobe_max(brdf * factor * factor, 0.0));
-    return select(brdf, filtered, at_point >= LOBE_MIN_POSITIVE);
+    let groove = lobe_polygon_groove_place(shape, whitened, offset, sides);
+    let factor = ratio * lobe_secant_ratio(slope, form / root_det, ratio, sides, whitened, groove);
+    return lobe_below_infinity(lobe_max(brdf * factor * factor, 0.0));
+}
+
+// Rust: `Ndf::groove_over`. 0 for NaN.
+fn lobe_polygon_groove_over(shape: LobeTilted, wo: vec3f, wi: vec3f, covered: LobeGrooveCovered) -> f32 {
+    let s = lobe_polygon_at_place(shape, covered.place);
+    let secant_squared = 1.0 + s.x * s.x + s.y * s.y;
+    let visibility = lobe_ggx_visibility(lobe_tilted_view(shape, wo), lobe_tilted_view(shape, wi));
+    let filtered = covered.mean * visibility * secant_squared * secant_squared;
+    return lobe_below_infinity(lobe_max(lobe_defined(filtered), 0.0));
+}
+
+// Rust: `Ndf::groove_place`, for sides that are nearly parallel.
+fn lobe_polygon_groove_place(
+    shape: LobeTilted, w: LobeWhitened, offset: vec4f, footprint: LobeFootprint
+) -> LobeSecantFirst {
+    let none = LobeSecantFirst(false, vec2f(0.0, 0.0), 0.0);
+    if !lobe_secant_is_parallel(w) {
+        return none;
+    }
+    let major = lobe_full_major(shape.shape);
+    let alpha = major.z;
+    let across = lobe_groove_reach_across(major.xy, footprint);
+    if !(alpha * lobe_min(alpha, across) >= 300.0 * shape.shape.root_det) {
+        return none;
+    }
+    let place = lobe_groove_covered(shape.shape, offset, footprint).place;
+    let x = place.x / alpha;
+    let y = place.y / alpha;
+    return LobeSecantFirst(true, lobe_polygon_at_place(shape, place), x * x + y * y);
+}
+
+// Rust: `Ndf::at_place`.
+fn lobe_polygon_at_place(shape: LobeTilted, place: vec2f) -> vec2f {
+    let origin = lobe_tilted_offset(shape, vec2f(0.0, 0.0));
+    return vec2f(place.x - origin.x, place.y - origin.y);
 }

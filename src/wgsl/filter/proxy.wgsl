@@ -33,7 +33,7 @@ struct LobeProxy {
 fn lobe_proxy_of(lobe: LobePsd, kernel: LobePsd) -> LobeProxy {
     let inverse = 1.0 / lobe_max(lobe.root_det, LOBE_MIN_POSITIVE);
     let trace = lobe_kept(lobe_psd_mixed_det(lobe, kernel) * inverse) * inverse;
-    return LobeProxy(trace, kernel.root_det * inverse, !lobe_psd_is_singular(lobe) && lobe_is_finite(trace));
+    return LobeProxy(trace, kernel.root_det * inverse, !lobe_psd_is_singular(lobe) && trace <= 1e18);
 }
 
 // Rust: `Whitened::factor`.
@@ -74,10 +74,14 @@ fn lobe_proxy_mirror_factor(lobe: LobePsd, kernel: LobePsd) -> f32 {
 // Rust: `positive_root`.
 fn lobe_proxy_positive_root(d: f32, m: f32, e: f32) -> f32 {
     let twice = lobe_below_infinity(2.0 * d * e);
-    let scale = lobe_max(lobe_max(m, twice), LOBE_MIN_POSITIVE);
-    let x = lobe_kept(m / scale);
-    let y = lobe_kept(twice / scale);
-    let sum = m + scale * sqrt(x * x + y * y);
+    let scale = lobe_max(m, twice);
+    if d > 0.0 && !(scale > 0.0) {
+        return e / d;
+    }
+    let least = lobe_max(scale, LOBE_MIN_POSITIVE);
+    let x = lobe_kept(m / least);
+    let y = lobe_kept(twice / least);
+    let sum = m + least * sqrt(x * x + y * y);
     return 2.0 * e * (e / lobe_max(sum, LOBE_MIN_POSITIVE));
 }
 
@@ -104,11 +108,11 @@ fn lobe_roughness_peak_fitted(roughness: LobeRoughness, kernel: LobeKernel) -> L
 fn lobe_roughness_peak_matched_over(roughness: LobeRoughness, footprint: LobeFootprint) -> LobeRoughness {
     let sides = lobe_footprint_bounded(footprint);
     let kernel = lobe_psd_outer_sum(sides.u, sides.v);
-    if lobe_psd_is_singular(roughness.psd) {
-        return LobeRoughness(lobe_psd_plus(roughness.psd, lobe_psd_scaled(kernel, LOBE_INVERSE_PI)));
-    }
     let shape = LobeTilted(lobe_full_new(roughness), vec2f(0.0, 0.0));
     let peak = lobe_ggx_parallelogram_mean(shape, vec2f(0.0, 0.0), sides);
+    if !(peak > 0.0) {
+        return LobeRoughness(lobe_psd_plus(roughness.psd, lobe_psd_scaled(kernel, LOBE_INVERSE_PI)));
+    }
     return lobe_roughness_with_peak(roughness, kernel, peak, 0.2, 0.41);
 }
 

@@ -1,10 +1,48 @@
 // How high the normals stand that a mean comes from. Rust: src/filter/secant.rs.
 
+// WGSL only: an option in Rust: the first slope and its q, known if the lobe is a groove to the footprint.
+struct LobeSecantFirst {
+    known: bool,
+    s: vec2f,
+    squared: f32,
+}
+
+// WGSL only: of `secant_ratio`.
+fn lobe_secant_is_parallel(w: LobeWhitened) -> bool {
+    let u_squared = lobe_strip_dot(w.u, w.u);
+    let area = w.u.x * w.v.y - w.u.y * w.v.x;
+    return area * (area / lobe_max(u_squared, LOBE_MIN_POSITIVE)) <= 1e-6 * lobe_strip_dot(w.v, w.v);
+}
+
 // Rust: `secant_ratio`.
-fn lobe_secant_ratio(slope: vec2f, q: f32, ratio: f32, footprint: LobeFootprint, w: LobeWhitened) -> f32 {
+fn lobe_secant_ratio(
+    slope: vec2f, q: f32, ratio: f32, footprint: LobeFootprint, w: LobeWhitened, groove: LobeSecantFirst
+) -> f32 {
     let there = lobe_below_infinity(lobe_max((1.0 + q - ratio) / lobe_max(ratio, LOBE_MIN_POSITIVE), 0.0));
     let u_squared = lobe_strip_dot(w.u, w.u);
     let v_squared = lobe_strip_dot(w.v, w.v);
+    let u = footprint.u;
+    let v = footprint.v;
+    var s = groove.s;
+    var first_squared = groove.squared;
+    if !groove.known {
+        let place = lobe_secant_first_place(w, u_squared, v_squared);
+        s = vec2f(slope.x + place.x * u.x + place.y * v.x, slope.y + place.x * u.y + place.y * v.y);
+        first_squared = place.z;
+    }
+    let sides = lobe_strip_dot(u, u) + lobe_strip_dot(v, v);
+    let rate = sides / lobe_max(u_squared + v_squared, LOBE_MIN_POSITIVE);
+    let corner = vec2f(
+        abs(slope.x) + 0.5 * (abs(u.x) + abs(v.x)), abs(slope.y) + 0.5 * (abs(u.y) + abs(v.y))
+    );
+    let free = 1.0 + lobe_strip_dot(s, s) + (there - first_squared) * rate;
+    let secant = lobe_min(lobe_max(free, 1.0), 1.0 + lobe_strip_dot(corner, corner));
+    let same = abs(1.0 - ratio) <= 16.0 * LOBE_EPSILON;
+    return select(secant / (1.0 + lobe_strip_dot(slope, slope)), 1.0, same);
+}
+
+// Rust: `first_place`.
+fn lobe_secant_first_place(w: LobeWhitened, u_squared: f32, v_squared: f32) -> vec3f {
     let densest = lobe_secant_densest(w, u_squared, v_squared);
     let nearest = lobe_secant_at(w, densest.x, densest.y);
     let reach = 4.0 * (1.0 + lobe_strip_dot(nearest, nearest));
@@ -18,18 +56,7 @@ fn lobe_secant_ratio(slope: vec2f, q: f32, ratio: f32, footprint: LobeFootprint,
         j = lobe_secant_along(lobe_secant_at(w, i, 0.0), w.v, v_squared).x * of_v;
     }
     let first = lobe_secant_at(w, i, j);
-    let u = footprint.u;
-    let v = footprint.v;
-    let s = vec2f(slope.x + i * u.x + j * v.x, slope.y + i * u.y + j * v.y);
-    let sides = lobe_strip_dot(u, u) + lobe_strip_dot(v, v);
-    let rate = sides / lobe_max(u_squared + v_squared, LOBE_MIN_POSITIVE);
-    let corner = vec2f(
-        abs(slope.x) + 0.5 * (abs(u.x) + abs(v.x)), abs(slope.y) + 0.5 * (abs(u.y) + abs(v.y))
-    );
-    let free = 1.0 + lobe_strip_dot(s, s) + (there - lobe_strip_dot(first, first)) * rate;
-    let secant = lobe_min(lobe_max(free, 1.0), 1.0 + lobe_strip_dot(corner, corner));
-    let same = abs(1.0 - ratio) <= 16.0 * LOBE_EPSILON;
-    return select(secant / (1.0 + lobe_strip_dot(slope, slope)), 1.0, same);
+    return vec3f(i, j, lobe_strip_dot(first, first));
 }
 
 // WGSL only: Rust has it as a closure.
@@ -45,7 +72,7 @@ fn lobe_secant_densest(w: LobeWhitened, u_squared: f32, v_squared: f32) -> vec2f
     let area = u.x * v.y - u.y * v.x;
     let i = -((centre.x * v.y - centre.y * v.x) / area);
     let j = (centre.x * u.y - centre.y * u.x) / area;
-    if area * area <= 1e-6 * u_squared * v_squared {
+    if lobe_secant_is_parallel(w) {
         let sign = select(1.0, -1.0, lobe_strip_dot(u, v) < 0.0);
         let both = vec2f(u.x + sign * v.x, u.y + sign * v.y);
         let t = lobe_secant_along(centre, both, lobe_strip_dot(both, both)).x;

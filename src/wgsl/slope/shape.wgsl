@@ -197,6 +197,19 @@ fn lobe_full_whiten(shape: LobeFull, v: vec2f, v_low: vec2f) -> vec2f {
     );
 }
 
+// Rust: `Full::major`: the unit vector, then alpha. Along x for NaN.
+fn lobe_full_major(shape: LobeFull) -> vec3f {
+    let yy = lobe_defined(shape.xy * (shape.xy * shape.inverse_xx) + shape.schur);
+    let swap = yy > shape.xx;
+    let large = select(shape.xx, yy, swap);
+    let ratio = lobe_defined(shape.xy / lobe_max(large, LOBE_MIN_POSITIVE));
+    let square = 1.0 + ratio * ratio;
+    let inverse = 1.0 / sqrt(square);
+    let across = ratio * inverse;
+    let alpha = lobe_defined(sqrt(large * square));
+    return select(vec3f(inverse, across, alpha), vec3f(across, inverse, alpha), swap);
+}
+
 // Rust: `Full::stretch_squared`. 0 for NaN.
 fn lobe_full_stretch_squared(shape: LobeFull, w: vec3f) -> f32 {
     let u = lobe_sum_of_products(shape.xx, w.x, shape.xy, w.y);

@@ -18,8 +18,10 @@ impl Reader<'_> {
     /// One of the engines, by its place as a whole number.
     fn engine(&mut self) -> Engine {
         let place = self.raw();
-        let (_, engine) =
-            (0_u8..).zip(Engine::ALL).find(|(k, _)| f32::from(*k) == place).expect("a drawn place");
+        let (_, engine) = (0_u8..)
+            .zip(Engine::ALL.iter().copied())
+            .find(|(k, _)| f32::from(*k) == place)
+            .expect("a drawn place");
         engine
     }
 }
@@ -75,6 +77,10 @@ super::twins! {
     "roughness_peak_fitted" (Roughness, Kernel) "lobe_roughness_peak_fitted($0, $1)" => |x| {
         let roughness = x.roughness::<R>();
         roughness.peak_fitted(&x.kernel())
+    };
+    "roughness_peak_matched_over" (Groove, Footprint) "lobe_roughness_peak_matched_over(($0).roughness, $1)" => |x| {
+        let roughness = x.lobe::<R>().roughness();
+        roughness.peak_matched_over(&x.footprint())
     };
     "roughness_peak_matched_over" (Roughness, Footprint) "lobe_roughness_peak_matched_over($0, $1)" => |x| {
         let roughness = x.roughness::<R>();
@@ -141,6 +147,10 @@ super::twins! {
         let (ggx, slope) = (Ggx::new(x.lobe::<R>().shape()), x.vec::<R, 2>());
         ggx.parallelogram_mean(slope, &x.footprint())
     };
+    "ggx_parallelogram_mean" (Groove, Covering) "lobe_ggx_parallelogram_mean(lobe_shape($0), $1)" => |x| {
+        let (ggx, slope) = (Ggx::new(x.lobe::<R>().shape()), x.vec::<R, 2>());
+        ggx.parallelogram_mean(slope, &x.footprint())
+    };
     "ggx_rectangle_mean" (Lobe, Slope, Widths) "lobe_ggx_rectangle_mean(lobe_shape($0), $1, $2)" => |x| {
         let (ggx, slope) = (Ggx::new(x.lobe::<R>().shape()), x.vec::<R, 2>());
         ggx.rectangle_mean(slope, x.vec())
@@ -149,6 +159,15 @@ super::twins! {
         let ggx = Ggx::new(x.lobe::<R>().shape());
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
         ggx.brdf_over(wo, wi, &x.footprint())
+    };
+    "ggx_brdf_over" (Groove, Mirroring) "lobe_ggx_brdf_over(lobe_shape($0), $1)" => |x| {
+        let ggx = Ggx::new(x.lobe::<R>().shape());
+        let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
+        ggx.brdf_over(wo, wi, &x.footprint())
+    };
+    "beckmann_rectangle_mean" (Size, Size, Slope, Widths)
+        "lobe_beckmann_rectangle_mean(vec2f($0, $1), $2, $3)" => |x| {
+        beckmann_rectangle_mean(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>())
     };
     "beckmann_rectangle_mean" (Alphas, Slope, Widths) "lobe_beckmann_rectangle_mean($0, $1, $2)" => |x| {
         beckmann_rectangle_mean(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>())
@@ -190,6 +209,10 @@ super::twins! {
         engine.alpha(x.f::<R>(), x.vec::<R, 3>(), x.vec::<R, 3>()).expect("in range")
     };
     "kaplanyan_rectangle_mean" (Alphas, Slope, Widths) "lobe_kaplanyan_rectangle_mean($0, $1, $2)" => |x| {
+        kaplanyan_rectangle_mean(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>())
+    };
+    "kaplanyan_rectangle_mean" (Size, Size, Slope, Widths)
+        "lobe_kaplanyan_rectangle_mean(vec2f($0, $1), $2, $3)" => |x| {
         kaplanyan_rectangle_mean(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>())
     };
     "kaplanyan_rectangle_mean_as_printed" (Alphas, Slope, Widths)

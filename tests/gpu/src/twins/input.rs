@@ -79,6 +79,12 @@ pub enum Input {
     Roughness,
     /// A roughness and a mean.
     Lobe,
+    /// A roughness that is a mirror's, a groove's, or narrower than f32 has squares for, and a mean.
+    Groove,
+    /// A slope and a footprint around it that reaches the mean drawn before, or nearly, as two arguments.
+    Covering,
+    /// Two directions whose half vector's slope is that of such a footprint, and the footprint, as three arguments.
+    Mirroring,
     /// Two derivative vectors of a slope.
     Footprint,
     /// A slope covariance.
@@ -165,9 +171,10 @@ impl Input {
             | Self::Matrix
             | Self::Node
             | Self::Biscale => 4,
-            Self::Lobe => 5,
+            Self::Lobe | Self::Groove => 5,
+            Self::Mirroring => 10,
             Self::Facets | Self::Numbers => 7,
-            Self::Pair | Self::Unorm | Self::Patch | Self::Mirrored => 6,
+            Self::Covering | Self::Pair | Self::Unorm | Self::Patch | Self::Mirrored => 6,
             Self::Glints => 8,
             Self::Halves => 9,
             Self::Frames => 36,
@@ -187,10 +194,17 @@ impl Input {
             Self::Engine => format!("u32({})", at(0)),
             Self::Psd | Self::Relief => psd(0),
             Self::Roughness => format!("lobe_roughness_from_matrix({})", psd(0)),
-            Self::Lobe => {
+            Self::Lobe | Self::Groove => {
                 format!("lobe_new({}, lobe_roughness_from_matrix({}))", pair(3), psd(0))
             }
             Self::Footprint => format!("lobe_footprint_from_slopes({}, {})", pair(0), pair(2)),
+            Self::Covering => {
+                format!("{}, lobe_footprint_from_slopes({}, {})", pair(0), pair(2), pair(4))
+            }
+            Self::Mirroring => {
+                let over = format!("lobe_footprint_from_slopes({}, {})", pair(6), pair(8));
+                format!("{}, {}, {over}", triple(0), triple(3))
+            }
             Self::Kernel | Self::Blurring => {
                 let outer = format!("lobe_psd_outer_sum({}, {})", pair(0), pair(2));
                 format!("lobe_kernel_from_covariance({outer})")
@@ -310,6 +324,37 @@ impl Input {
                 out.extend(lobe.mean.map(|x| x as f32));
                 drawn.lobe = Some(lobe);
             }
+            Self::Groove => {
+                let mut narrow = |least: f64| s.log_uniform(least, 1e-6);
+                let (x, y) = (narrow(1e-18), narrow(1e-18));
+                let wide = s.log_uniform(1e-3, 3.0);
+                // Whole numbers of few bits, so that the outer product is exact and has no determinant.
+                let whole = |s: &mut Source| s.uniform(1.0, 2047.0).floor() * s.sign();
+                let (a, b, scale) = (whole(s), whole(s), 2.0_f64.powi(-(s.pick(24) as i32)));
+                // Few lobes that are narrow, but none of these: their roundings' bounds leave the range of f32.
+                put(&match s.pick(20) {
+                    0..4 => [0.0; 3],
+                    4..8 => [wide * wide, 0.0, 0.0],
+                    8..12 => [0.0, 0.0, wide * wide],
+                    12 => [x * x, 0.0, wide * wide],
+                    13 => [x * x, 0.0, y * y],
+                    _ => [a * a, a * b, b * b].map(|entry| scale * entry),
+                });
+                drawn.mean = s.mean();
+                put(&drawn.mean);
+            }
+            Self::Covering => {
+                let (slope, [u, v]) = covering(s, drawn.mean);
+                put(&[slope, u, v].concat());
+            }
+            Self::Mirroring => {
+                let (slope, [u, v]) = covering(s, drawn.mean);
+                let (h, wo) = (normalized([-slope[0], -slope[1], 1.0]), s.direction());
+                let twice = 2.0 * (0..3).map(|k| h[k] * wo[k]).sum::<f64>();
+                let wi = [0, 1, 2].map(|k: usize| twice * h[k] - wo[k]);
+                put(&if twice > 0.0 && wi[2] > 0.0 { [wo, wi] } else { s.pair() }.concat());
+                put(&[u, v].concat());
+            }
             Self::Footprint => {
                 let Footprint { u, v } = s.footprint();
                 put(&[u, v].concat());
@@ -323,4 +368,11 @@ impl Input {
             other => glitter::draw(other, s, drawn, out),
         }
     }
+}
+
+/// A slope, and the sides of a footprint around it that reaches this mean, or nearly.
+fn covering(s: &mut Source, mean: [f64; 2]) -> ([f64; 2], [[f64; 2]; 2]) {
+    let (u, v) = (s.vector(1e-3, 3.0), s.vector(1e-3, 3.0));
+    let (i, j) = (s.uniform(-0.8, 0.8), s.uniform(-0.8, 0.8));
+    ([0, 1].map(|k| mean[k] + i * u[k] + j * v[k]), [u, v])
 }

@@ -156,11 +156,7 @@ impl Twin {
 
     /// The job, over a library from [`Twin::library`] and a body from [`Twin::body`].
     pub fn job<'a>(&self, library: &'a str, body: &'a str) -> Job<'a> {
-        let dictionary = if library.contains("lobe_dictionary:") {
-            dictionary()
-        } else {
-            &[]
-        };
+        let dictionary = if library.contains("lobe_dictionary:") { dictionary() } else { &[] };
         Job { library, body, inputs: self.reads(), outputs: self.writes(), dictionary }
     }
 

@@ -180,6 +180,10 @@ super::twins! {
         let shape = Full::new(x.roughness::<R>());
         shape.whiten(x.vec(), [R::ZERO; 2])
     };
+    "full_major" (Groove) "lobe_full_major(lobe_full_new(($0).roughness))" => |x| {
+        let (axis, alpha) = Full::new(x.lobe::<R>().roughness()).major();
+        [axis[0], axis[1], alpha]
+    };
     "full_stretch_squared" (Roughness, Direction) "lobe_full_stretch_squared(lobe_full_new($0), $1)" => |x| {
         let shape = Full::new(x.roughness::<R>());
         shape.stretch_squared(x.vec())

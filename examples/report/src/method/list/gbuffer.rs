@@ -55,7 +55,7 @@ pub(super) fn deferred() -> Vec<Method> {
 
 /// What engines ship; O3DE's is the deferred sum.
 pub(super) fn engines() -> Vec<Method> {
-    let shipped = Engine::ALL.into_iter().filter(|engine| *engine != Engine::O3de);
+    let shipped = Engine::ALL.iter().copied().filter(|engine| *engine != Engine::O3de);
     let method = |engine: Engine| {
         Filter {
             name: engine.name(),
