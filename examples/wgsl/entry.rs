@@ -1,20 +1,60 @@
 //! An entry point that calls every item asked for: translators drop functions that none calls.
 
-use lobe::wgsl::{Item, source};
+use lobe::wgsl::{Item, source, textured};
 use naga::valid::{Capabilities, ModuleInfo, ShaderStages, ValidationFlags, Validator};
 use naga::{ArraySize, Handle, Module, ScalarKind, ShaderStage, Type, TypeInner};
 use std::fmt::Write as _;
 
 /// An entry point `main`, without the items' own text.
 ///
-/// Arguments come one after the other from a buffer of numbers; the sum of all answers goes to a buffer, or to the
+/// Arguments come one after the other from a uniform array of numbers; the sum of all answers goes to a buffer, or to the
 /// colour of a fragment. So nothing is constant, and nothing is unused.
 #[derive(Clone, Debug)]
 pub(crate) struct Entry {
     /// The buffers and the function.
     pub(crate) text: String,
-    /// Fragment where an item takes derivatives, else compute.
+    /// Compute, or fragment where an item takes derivatives or the device has no other stage.
     pub(crate) stage: ShaderStage,
+}
+
+/// A kind of device, by what it offers to shaders.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Device {
+    /// Storage buffers and compute shaders.
+    Buffers,
+    /// Neither of the two, as in WebGL 2: a dictionary is a texture, and the entry point a fragment's.
+    Textures,
+}
+
+/// The most vectors that the array of numbers has: 16 KiB, the size of a uniform buffer that every device takes.
+/// Arguments beyond it begin at the first number again.
+const VECTORS: usize = 1024;
+
+/// Items under the entry point that calls them.
+#[derive(Debug)]
+pub(crate) struct Shader {
+    /// The WGSL of both.
+    pub(crate) text: String,
+    /// The stage of the entry point.
+    pub(crate) stage: ShaderStage,
+    /// The text as naga reads it.
+    pub(crate) module: Module,
+    /// The facts that naga's validator found.
+    pub(crate) info: ModuleInfo,
+}
+
+impl Shader {
+    /// The shader of these items, for a device.
+    pub(crate) fn new(items: &[Item], device: Device) -> Result<Self, String> {
+        let Entry { text, stage } = entry(items, device)?;
+        let library = match device {
+            Device::Buffers => source(items),
+            Device::Textures => textured(&source(items)),
+        };
+        let text = format!("{library}\n{text}");
+        let (module, info) = parse(&text)?;
+        Ok(Self { text, stage, module, info })
+    }
 }
 
 /// The module of a text, valid without any capability.
@@ -52,14 +92,17 @@ pub(crate) fn names(text: &str) -> impl Iterator<Item = &str> {
     lines.filter_map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next())
 }
 
-/// The entry point of these items.
-pub(crate) fn entry(items: &[Item]) -> Result<Entry, String> {
+/// The entry point of these items, for a device.
+pub(crate) fn entry(items: &[Item], device: Device) -> Result<Entry, String> {
     let (module, info) = parse(&source(items))?;
     let mut wanted: Vec<String> = items.iter().flat_map(|item| declared(*item)).collect();
     wanted.sort();
     wanted.dedup();
     let mut body = String::new();
     let (mut next, mut stages) = (0, ShaderStages::all());
+    if device == Device::Textures {
+        stages = ShaderStages::FRAGMENT;
+    }
     for (_, constant) in module.constants.iter() {
         let name = constant.name.as_deref().unwrap_or_default();
         if wanted.iter().any(|other| other == name) {
@@ -79,7 +122,8 @@ pub(crate) fn entry(items: &[Item]) -> Result<Entry, String> {
         let _ = writeln!(body, "        sum += {};\n    }}", sum(&module, result.ty, "answer"));
     }
     let fragment = !stages.contains(ShaderStages::COMPUTE);
-    let numbers = "@group(0) @binding(0) var<storage, read> numbers: array<f32>;\n";
+    let vectors = next.div_ceil(4).clamp(1, VECTORS);
+    let numbers = format!("@group(0) @binding(0) var<uniform> numbers: array<vec4f, {vectors}>;\n");
     let text = if fragment {
         format!(
             "{numbers}\n@fragment\nfn main() -> @location(0) vec4<f32> {{\n    var sum = 0.0;\n{body}    \
@@ -136,7 +180,8 @@ fn value(module: &Module, ty: Handle<Type>, next: &mut usize) -> String {
             let (count, kind) = numbers(inner);
             let mut number = || {
                 *next += 1;
-                let number = format!("numbers[{}]", *next - 1);
+                let (vector, part) = ((*next - 1) / 4 % VECTORS, (*next - 1) % 4);
+                let number = format!("numbers[{vector}].{}", ["x", "y", "z", "w"][part]);
                 match kind {
                     ScalarKind::Bool => format!("{number} > 0.0"),
                     ScalarKind::Float => number,

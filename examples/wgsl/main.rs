@@ -11,9 +11,9 @@ mod print;
 mod translate;
 
 use clap::Parser;
+use entry::{Device, Shader};
 use link::Linker;
 use lobe::wgsl::{Item, Preset, source};
-use naga::ShaderStage;
 use output::Output;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -22,8 +22,9 @@ use translate::{Language, Translation, translate};
 /// Print the WGSL of items or of a preset, or its translation.
 #[derive(Parser)]
 #[command(
-    after_help = "Languages: wgsl, wesl, naga-oil, glsl (4.50), glsl-es (3.10), hlsl (5.1), msl (2.0), \
-    spirv (1.3).\nwesl and naga-oil are several files: --out is a folder that does not exist.\n\
+    after_help = "Languages: wgsl, wesl, naga-oil, glsl (4.50), glsl-330, glsl-es (3.10), glsl-es-300, hlsl (5.1), \
+    msl (2.0), spirv (1.3).\nglsl-es-300 is for WebGL 2 and glsl-330 for OpenGL 3.3 to 4.1: a dictionary is a texture \
+    there (`lobe::wgsl::textured` says how it is filled).\nwesl and naga-oil are several files: --out is a folder that does not exist.\n\
     spirv is printed as words in hexadecimal, and written to --out as it is."
 )]
 struct Options {
@@ -77,28 +78,21 @@ fn output(options: &Options) -> Result<Output, String> {
         Ok(Output::Files(modules.map(|m| (linker.file(m), linker.text(m))).collect()))
     };
     match options.lang.as_str() {
-        "wgsl" if options.entry => Ok(Output::Text(whole(&items)?.0)),
+        "wgsl" if options.entry => Ok(Output::Text(Shader::new(&items, Device::Buffers)?.text)),
         "wgsl" => Ok(Output::Text(source(&items))),
         "wesl" => linked(Linker::Wesl),
         "naga-oil" => linked(Linker::NagaOil),
         name => match Language::ALL.iter().find(|language| language.name() == name) {
             Some(language) => translated(&items, *language),
-            None => Err(format!("no language is named `{name}`")),
+            None => Err(format!("no language is named `{name}`: --help lists them")),
         },
     }
 }
 
-/// The items under an entry point that calls them, and its stage.
-fn whole(items: &[Item]) -> Result<(String, ShaderStage), String> {
-    let entry = entry::entry(items)?;
-    Ok((format!("{}\n{}", source(items), entry.text), entry.stage))
-}
-
 /// The items in another language, under a line that says what was added.
 fn translated(items: &[Item], language: Language) -> Result<Output, String> {
-    let (text, stage) = whole(items)?;
-    let (module, info) = entry::parse(&text)?;
-    let text = match translate(&module, &info, stage, language)? {
+    let shader = Shader::new(items, language.device())?;
+    let text = match translate(&shader, language)? {
         Translation::Words(words) => return Ok(Output::Words(words)),
         Translation::Text(text) => text,
     };

@@ -2,7 +2,7 @@
 //!
 //! Floor 0, feature `wgsl`; needs an allocator, no other crate. Every function of this crate that a shader can use has
 //! a twin: `src/X.rs` and `src/wgsl/X.wgsl`, function by function, named `lobe_` and the Rust name. The texts have no
-//! entry points, no directives and, but for a dictionary's buffer (`rebound`), no bindings, so they go into any shader,
+//! entry points, no directives and, but for a dictionary ([`rebound`]), no bindings, so they go into any shader,
 //! after its directives; [`source`] returns the functions asked for with all that they call, and [`Module`] the files for
 //! linkers.
 //!
@@ -32,15 +32,14 @@
 //!   an input that is NaN or infinite; for finite inputs it holds there, too, as no guard waits for a NaN or an infinity.
 //! - **Matrices** have their columns first, as WGSL has it; `matrix * vector` means the same.
 //! - **Pixel filters** are passed as their variance: `LOBE_PIXEL_FILTER_BOX` and the like.
-//! - **A dictionary** of marginals is a buffer, `lobe_dictionary`, filled with `Dictionary::nodes`; values of
-//!   `LobeDictionary` are its sizes.
+//! - **A dictionary** of marginals is a buffer, `lobe_dictionary`, filled with `Dictionary::nodes`, or a texture for WebGL 2
+//!   ([`textured`]); values of `LobeDictionary` are its sizes.
 //! - **Closures** are not passed: cells of a grid are a loop, and coloured glints have the hue wheel.
 //! - `lobe_fragment_*` take derivatives from the quad, for fragment shaders; CPUs have no quads.
 //!
 //! Equal to Rust in f32 to the bit where no operation is fused or reordered, and quotients and roots are rounded
 //! correctly; within a few roundings where compilers and drivers do otherwise (`tests/gpu`, which runs every twin).
 
-#[cfg(feature = "glint")]
 mod binding;
 mod error;
 mod item;
@@ -50,8 +49,7 @@ mod preset;
 mod table;
 mod text;
 
-#[cfg(feature = "glint")]
-pub use binding::rebound;
+pub use binding::{rebound, textured};
 pub use error::Error;
 pub use item::Item;
 pub use module::Module;

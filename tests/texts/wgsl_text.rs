@@ -1,17 +1,22 @@
 //! The mirror's texts, word by word: nothing that compilers answer differently, no name that translators change.
 #![cfg(feature = "wgsl")]
 
-use crate::entry::{declared, entry, names, parse};
-use crate::translate::{Language, translate};
-use lobe::wgsl::{Item, Module, Preset, source};
+use crate::entry::{Device, Shader, declared, names};
+use crate::translate::{self, Language, translate};
+use lobe::wgsl::{Item, Module, Preset, rebound, source, textured};
 use naga::back::wgsl::WriterFlags;
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
 /// Builtins whose accuracy, NaNs or order of operations drivers choose. The mirror has its own of those that it needs;
 /// `sqrt` and quotients are the driver's.
 const LOOSE: &str = "atan atan2 exp exp2 log log2 pow sin cos tan sinh cosh tanh asin acos asinh acosh atanh mix \
     fma inverseSqrt normalize length distance smoothstep sign min max clamp saturate step dot cross reflect refract faceForward \
     determinant degrees radians ldexp frexp round fract modf";
+
+/// Builtins that GLSL ES 3.00 does not have: translators refuse them, or count bits by a logarithm.
+const ABSENT: &str = "countOneBits countLeadingZeros countTrailingZeros firstLeadingBit firstTrailingBit reverseBits \
+    extractBits insertBits pack4x8snorm pack4x8unorm unpack4x8snorm unpack4x8unorm arrayLength";
 
 /// Builtins of fragment shaders.
 const DERIVATIVES: &str =
@@ -44,6 +49,9 @@ fn complaint(path: &str, line: &str) -> Option<String> {
             ["(bitcast<u32>(", "(bitcast<i32>("].iter().any(|bits| after.starts_with(bits));
         if listed(LOOSE, word) && after.starts_with('(') && !is_exact {
             return Some(format!("the builtin {word}"));
+        }
+        if listed(ABSENT, word) {
+            return Some(format!("{word}, which WebGL 2 lacks"));
         }
         if listed(DERIVATIVES, word) && !path.starts_with("fragment") {
             return Some(format!("the derivative {word}"));
@@ -93,6 +101,7 @@ fn the_laws_notice() {
         "    return x - dot(a, b);",
         "    let a = dpdx(h);",
         "    let slope1 = 0.0;",
+        "    let zeros = countTrailingZeros(index);",
         "    let a__b = 0.0;",
         "enable f16;",
         "@fragment fn main() {}",
@@ -136,21 +145,46 @@ fn written(module: &naga::Module) -> BTreeSet<&str> {
     all.filter_map(|name| name.as_deref()).collect()
 }
 
+/// Languages that are text. SPIR-V has no names.
+fn text_languages() -> impl Iterator<Item = Language> {
+    Language::ALL.iter().copied().filter(|language| *language != Language::Spirv)
+}
+
+/// The translation of items into a language that is text.
+fn translated(items: &[Item], language: Language) -> String {
+    let shader = Shader::new(items, language.device()).expect("a shader");
+    translate(&shader, language).expect("a translation").text()
+}
+
+/// The shader of all items, and its translations into every language that is text.
+fn whole() -> &'static (Shader, Vec<(Language, String)>) {
+    static WHOLE: OnceLock<(Shader, Vec<(Language, String)>)> = OnceLock::new();
+    WHOLE.get_or_init(|| {
+        let [buffers, textures] = [Device::Buffers, Device::Textures]
+            .map(|device| Shader::new(Item::ALL, device).expect("a shader"));
+        let texts = text_languages().map(|language| {
+            let shader = if language.device() == Device::Buffers { &buffers } else { &textures };
+            (language, translate(shader, language).expect("a translation").text())
+        });
+        let texts = texts.collect();
+        (buffers, texts)
+    })
+}
+
+/// All items in a language that is text.
+fn all_in(language: Language) -> &'static str {
+    let text = whole().1.iter().find(|(other, _)| *other == language);
+    &text.expect("a language that is text").1
+}
+
 #[test]
 fn translators_keep_names() {
-    let text = source(Item::ALL);
-    let entry = entry(Item::ALL).expect("an entry point");
-    let (module, info) = parse(&format!("{text}\n{}", entry.text)).expect("valid");
-    let again = naga::back::wgsl::write_string(&module, &info, WriterFlags::empty());
-    let again = ("wgsl", again.expect("a translation"));
-    // SPIR-V has no names.
-    let others = Language::ALL.into_iter().filter(|language| *language != Language::Spirv);
-    let others = others.map(|language| {
-        let translated = translate(&module, &info, entry.stage, language);
-        (language.name(), translated.expect("a translation").text())
-    });
-    let names = written(&module);
-    for (language, translated) in others.chain([again]) {
+    let (Shader { module, info, .. }, texts) = whole();
+    let again = naga::back::wgsl::write_string(module, info, WriterFlags::empty());
+    let again = again.expect("a translation");
+    let others = texts.iter().map(|(language, text)| (language.name(), text));
+    let names = written(module);
+    for (language, translated) in others.chain([("wgsl", &again)]) {
         let after: BTreeSet<&str> =
             translated.lines().flat_map(words).map(|(word, _)| word).collect();
         // A reserved word, or one that ends in a digit, gets an underscore.
@@ -166,15 +200,125 @@ fn presets_and_items_translate_into_every_language() {
     let singles = Item::ALL.iter().map(|item| (item.name(), std::slice::from_ref(item)));
     let presets = Preset::ALL.iter().map(|preset| (preset.name(), preset.items()));
     for (name, items) in singles.chain(presets) {
-        let entry = entry(items).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let text = format!("{}\n{}", source(items), entry.text);
-        let (module, info) = parse(&text).unwrap_or_else(|error| panic!("{name}: {error}\n{text}"));
-        for asked in items.iter().flat_map(|item| declared(*item)) {
-            assert!(entry.text.contains(&asked), "{name} does not use {asked}");
-        }
-        for language in Language::ALL {
-            let translated = translate(&module, &info, entry.stage, language);
-            assert!(translated.is_ok(), "{name}, {language:?}: {translated:?}");
+        for device in [Device::Buffers, Device::Textures] {
+            let shader = Shader::new(items, device).unwrap_or_else(|e| panic!("{name}: {e}"));
+            for asked in items.iter().flat_map(|item| declared(*item)) {
+                let calls = shader.text.matches(&format!("{asked}(")).count();
+                assert!(calls != 1, "{name}: nothing calls {asked}");
+            }
+            for language in Language::ALL.iter().filter(|language| language.device() == device) {
+                let translated = translate(&shader, *language);
+                assert!(translated.is_ok(), "{name}, {language:?}: {translated:?}");
+            }
         }
     }
+}
+
+#[test]
+fn constant_arrays_of_hlsl_are_braces() {
+    let hlsl = all_in(Language::Hlsl);
+    let arrays: Vec<&str> = hlsl
+        .lines()
+        .filter(|line| line.starts_with("static const ") && line.contains("] = "))
+        .collect();
+    let module = &whole().0.module;
+    let is_array =
+        |c: &naga::Constant| matches!(module.types[c.ty].inner, naga::TypeInner::Array { .. });
+    let count = module.constants.iter().filter(|(_, c)| is_array(c)).count();
+    assert!(count > 0 && arrays.len() == count, "{count} arrays, in HLSL {arrays:?}");
+    for line in &arrays {
+        // As many numbers as the size says.
+        let size = line.split(['[', ']']).nth(1).and_then(|size| size.parse::<usize>().ok());
+        let numbers = line.split(['{', '}']).nth(1).map(|list| list.split(", ").count());
+        assert!(size.is_some() && size == numbers && line.ends_with(" };"), "{line}");
+    }
+    let statics = hlsl.lines().filter(|line| line.starts_with("static "));
+    assert_eq!(statics.filter(|line| line.contains("Construct")).count(), 0);
+    // A function that makes an array is there where one calls it, and not where none does.
+    let made = |text: &str| text.matches("Constructarray7_float_(").count();
+    assert!(made(hlsl) > 1);
+    let plain = translated(&[Item::Exp, Item::Ln], Language::Hlsl);
+    assert!(plain.contains("LOBE_EXP[5] = { ") && !plain.contains("Construct"), "{plain}");
+}
+
+#[test]
+fn braces_change_nothing_else() {
+    let text = "static const float A = lobe_max(1.0, 2.0);\n\ntypedef float Kept;\n\nint x;\n";
+    assert_eq!(translate::braced(text), text);
+}
+
+#[test]
+fn numbers_are_in_range_of_f32() {
+    // WebGL in Chrome takes 3.4028235e38 for infinity: the digits of the largest f32, but above it. Metal's compiler is
+    // one of C++, where such a number is the nearest f32.
+    for language in text_languages().filter(|language| *language != Language::Msl) {
+        let text = translated(&[Item::Max, Item::IsFinite, Item::GgxBrdfOver], language);
+        let mut largest = 0.0_f64;
+        let words = text.split(|c: char| !(c.is_ascii_alphanumeric() || ".+_".contains(c)));
+        for word in words.filter(|word| word.starts_with(|c: char| c.is_ascii_digit())) {
+            largest = largest.max(word.trim_end_matches(['f', 'u', 'i']).parse().unwrap_or(0.0));
+        }
+        assert!(largest <= f64::from(f32::MAX), "{language:?}: {largest}");
+        assert_eq!(largest as f32, f32::MAX, "{language:?}");
+    }
+}
+
+#[test]
+fn structures_nest_as_deep_as_webgl_allows() {
+    fn depth(module: &naga::Module, of: naga::Handle<naga::Type>) -> usize {
+        match &module.types[of].inner {
+            naga::TypeInner::Struct { members, .. } => {
+                1 + members.iter().map(|member| depth(module, member.ty)).max().unwrap_or(0)
+            }
+            naga::TypeInner::Array { base, .. } => depth(module, *base),
+            _ => 0,
+        }
+    }
+    let module = &whole().0.module;
+    for (handle, of) in module.types.iter() {
+        assert!(depth(module, handle) <= 4, "{:?}", of.name);
+    }
+}
+
+#[test]
+fn webgl_gets_a_fragment_shader_without_buffers() {
+    for language in [Language::GlslEs300, Language::Glsl330] {
+        let text = all_in(language);
+        assert!(!text.contains("buffer ") && !text.contains("local_size"), "{language:?}");
+        let sampler = text.lines().filter(|line| line.ends_with("sampler2D lobe_dictionary;"));
+        assert_eq!(sampler.count(), 1, "{language:?}");
+        // Bit counting came with 3.10 and 4.00.
+        for builtin in ["findLSB", "findMSB", "bitCount", "bitfield", "ldexp", "frexp"] {
+            assert!(!text.contains(builtin), "{language:?}: {builtin}");
+        }
+    }
+    let es = all_in(Language::GlslEs300);
+    for line in ["precision highp float;", "precision highp int;"] {
+        assert!(es.lines().any(|other| other == line), "{line}");
+    }
+    assert!(es.contains("uniform highp sampler2D"));
+}
+
+#[test]
+fn a_texture_holds_the_dictionary_and_nothing_else_changes() {
+    let text = source(Item::ALL);
+    let other = textured(&text);
+    assert!(text.contains("var<storage, read> lobe_dictionary") && !other.contains("var<storage"));
+    let [before, after] = [&text, &other].map(|text| text.lines().collect::<BTreeSet<&str>>());
+    assert_eq!([before.difference(&after).count(), after.difference(&before).count()], [2, 4]);
+    // Two calls that commute.
+    let [first, second] = [rebound(&other, 2, 3), textured(&rebound(&text, 2, 3))];
+    assert_eq!(first, second);
+    assert!(first.contains("@group(2) @binding(3) var lobe_dictionary: texture_2d<f32>;"));
+    // In the files for linkers, too.
+    let file = Module::ALL.iter().find(|module| module.path().ends_with("/dictionary"));
+    let file = file.expect("the dictionary's file");
+    for text in [file.wesl(), file.naga_oil()] {
+        assert!(
+            textured(&text).contains("texture_2d<f32>") && !textured(&text).contains("storage")
+        );
+        assert!(textured(&text).contains("textureLoad("));
+    }
+    let plain = source(&[Item::GgxBrdf, Item::GlintLobeBrdf]);
+    assert_eq!(textured(&plain), plain);
 }

@@ -74,7 +74,9 @@ fn the_list_names_everything() {
 fn translations_say_what_was_added() {
     let marks = [
         ("glsl", "#version 450", "void main()"),
+        ("glsl-330", "#version 330", "void main()"),
         ("glsl-es", "#version 310 es", "void main()"),
+        ("glsl-es-300", "#version 300 es", "void main()"),
         ("hlsl", "// Translated", "void main("),
         ("msl", "// Translated", "kernel void main_("),
     ];
@@ -86,6 +88,21 @@ fn translations_say_what_was_added() {
     }
     let fragment = printed(&["--preset", "forward_variance", "--lang", "glsl"]);
     assert!(fragment.contains("dFdx") && fragment.contains("lobe_fragment_footprint("));
+    let arrays = printed(&["--items", "exp", "--lang", "hlsl"]);
+    assert!(arrays.contains("static const float LOBE_EXP[5] = { "), "{arrays}");
+}
+
+#[test]
+fn a_dictionary_is_a_texture_where_there_are_no_buffers() {
+    for (language, declared) in [
+        ("glsl", "vec2 lobe_dictionary[];"),
+        ("glsl-330", "uniform sampler2D lobe_dictionary;"),
+        ("glsl-es", "vec2 lobe_dictionary[];"),
+        ("glsl-es-300", "uniform highp sampler2D lobe_dictionary;"),
+    ] {
+        let text = printed(&["--items", "marginal_density", "--lang", language]);
+        assert!(text.contains(declared), "{language}: {text}");
+    }
 }
 
 #[test]

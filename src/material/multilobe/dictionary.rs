@@ -66,7 +66,7 @@ impl<R: Real> Dictionary<R> {
 
     /// Density and cumulative, from 0 on, of every node: of marginal after marginal, level after level in each.
     ///
-    /// WGSL: none, the buffer `lobe_dictionary` holds them there.
+    /// WGSL: none, the buffer or texture `lobe_dictionary` holds them there.
     pub fn nodes(&self) -> &[[R; 2]] {
         &self.nodes
     }

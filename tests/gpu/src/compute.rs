@@ -4,6 +4,7 @@ use lobe::wgsl::rebound;
 use naga::ShaderStage;
 use wgpu::{BindGroup, Buffer, BufferUsages, ComputePipeline, ShaderStages};
 
+use crate::dictionary::Dictionary;
 use crate::shader::{bind, entry, layouts, module};
 use crate::timing::Stamps;
 use crate::{Gpu, Mode, buffer};
@@ -25,7 +26,7 @@ pub struct Job<'a> {
     pub inputs: usize,
     /// Floats that one item writes, at least 1.
     pub outputs: usize,
-    /// Nodes of the dictionary that the library reads; none if it reads none.
+    /// Nodes of the dictionary that the library reads, from a buffer or a texture; none if it reads none.
     pub dictionary: &'a [[f32; 2]],
 }
 
@@ -66,11 +67,13 @@ if item >= arrayLength(&job_outputs) / {outputs}u {{ return; }}
         assert!(self.inputs > 0 && self.outputs > 0, "an item reads and writes at least one float");
         let module = module(gpu, mode, &self.wgsl(), (ShaderStage::Compute, "job"))?;
         let has_dictionary = !self.dictionary.is_empty();
-        let entries = [(0, true), (1, false), (2, true)];
-        let entries = entries.map(|(slot, only)| entry(slot, ShaderStages::COMPUTE, only));
-        let (group_layout, layout) = layouts(gpu, &entries[..2 + usize::from(has_dictionary)]);
         let dictionary =
-            has_dictionary.then(|| buffer::upload(gpu, self.dictionary.as_flattened()));
+            has_dictionary.then(|| Dictionary::upload(gpu, self.dictionary, self.library));
+        let entries = [(0, true), (1, false)];
+        let entries = entries.map(|(slot, only)| entry(slot, ShaderStages::COMPUTE, only));
+        let third = dictionary.iter().map(|nodes| nodes.entry(2, ShaderStages::COMPUTE));
+        let entries: Vec<_> = entries.into_iter().chain(third).collect();
+        let (group_layout, layout) = layouts(gpu, &entries);
         let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: None,
             layout: Some(&layout),
@@ -99,7 +102,7 @@ pub struct Kernel {
     gpu: &'static Gpu,
     pipeline: ComputePipeline,
     group_layout: wgpu::BindGroupLayout,
-    dictionary: Option<Buffer>,
+    dictionary: Option<Dictionary>,
     inputs: usize,
     outputs: usize,
 }
@@ -129,8 +132,9 @@ impl Kernel {
         let source = buffer::upload(self.gpu, inputs);
         let usage = BufferUsages::STORAGE | BufferUsages::COPY_SRC;
         let target = buffer::empty(self.gpu, items * self.outputs, usage);
-        let buffers: Vec<_> = [&source, &target].into_iter().chain(&self.dictionary).collect();
-        let group = bind(self.gpu, &self.group_layout, &buffers);
+        let buffers = [&source, &target].map(|buffer| buffer.as_entire_binding());
+        let all = buffers.into_iter().chain(self.dictionary.iter().map(Dictionary::resource));
+        let group = bind(self.gpu, &self.group_layout, all);
         Loaded { kernel: self, items, target, group }
     }
 

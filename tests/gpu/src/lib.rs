@@ -9,6 +9,7 @@
 pub mod compute;
 pub mod cpp;
 pub mod device;
+mod dictionary;
 pub mod exact;
 pub mod render;
 #[path = "../../common/size.rs"]

@@ -2,7 +2,8 @@
 
 use naga::ShaderStage;
 use wgpu::{
-    BindGroup, BufferUsages, RenderPipeline, ShaderStages, Texture, TextureFormat, TextureUsages,
+    BindGroup, Buffer, BufferUsages, RenderPipeline, ShaderStages, Texture, TextureFormat,
+    TextureUsages,
 };
 
 use crate::shader::{bind, entry, layouts, module};
@@ -61,7 +62,7 @@ impl Painter {
         let entries: Vec<_> =
             (0..).zip(&buffers).map(|(k, _)| entry(k, ShaderStages::FRAGMENT, true)).collect();
         let (group_layout, layout) = layouts(gpu, &entries);
-        let group = bind(gpu, &group_layout, &buffers.iter().collect::<Vec<_>>());
+        let group = bind(gpu, &group_layout, buffers.iter().map(Buffer::as_entire_binding));
         let picture = gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: None,
             size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },

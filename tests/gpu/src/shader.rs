@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use naga::ShaderStage;
 use wgpu::{
-    BindGroup, BindGroupLayoutEntry, Buffer, PassthroughShaderEntryPoint, ShaderModule,
+    BindGroup, BindGroupLayoutEntry, BindingResource, PassthroughShaderEntryPoint, ShaderModule,
     ShaderModuleDescriptorPassthrough, ShaderStages,
 };
 
@@ -97,14 +97,15 @@ pub(crate) fn layouts(
     (group, pipeline)
 }
 
-/// Buffers at bindings 0, 1, ...
-pub(crate) fn bind(gpu: &Gpu, layout: &wgpu::BindGroupLayout, buffers: &[&Buffer]) -> BindGroup {
+/// Resources at bindings 0, 1, ...
+pub(crate) fn bind<'a>(
+    gpu: &Gpu,
+    layout: &wgpu::BindGroupLayout,
+    resources: impl IntoIterator<Item = BindingResource<'a>>,
+) -> BindGroup {
     let entries: Vec<_> = (0..)
-        .zip(buffers)
-        .map(|(binding, buffer)| wgpu::BindGroupEntry {
-            binding,
-            resource: buffer.as_entire_binding(),
-        })
+        .zip(resources)
+        .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
         .collect();
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: None,

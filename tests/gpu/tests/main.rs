@@ -10,6 +10,7 @@ mod link;
 #[path = "../../../examples/wgsl/translate.rs"]
 mod translate;
 
+mod dictionary;
 mod engines;
 mod fast_math;
 mod harness;

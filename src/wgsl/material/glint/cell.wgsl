@@ -47,6 +47,9 @@ fn lobe_cell_canonical(index: i32, exponent: i32) -> vec2i {
     if index == 0 {
         return vec2i(0, -16384);
     }
-    let zeros = countTrailingZeros(index);
+    // WebGL 2 counts no bits. The lowest one alone is a power of two, and f32 has its exponent.
+    let word = u32(index);
+    let lowest = f32(word & (~word + 1u));
+    let zeros = i32(bitcast<u32>(lowest) >> 23u) - 127;
     return vec2i(index >> u32(zeros), exponent + zeros);
 }

@@ -3,6 +3,11 @@
 // WGSL only: `Dictionary::nodes`, density and cumulative of each. Bound elsewhere: `rebound` of `lobe::wgsl`.
 @group(1) @binding(0) var<storage, read> lobe_dictionary: array<vec2f>;
 
+// WGSL only: one node of the dictionary. From a texture: `textured` of `lobe::wgsl`.
+fn lobe_dictionary_node(place: u32) -> vec2f {
+    return lobe_dictionary[place];
+}
+
 // Rust: `Dictionary`: the sizes of its `Recipe`, none of which is 0.
 struct LobeDictionary {
     marginals: u32,

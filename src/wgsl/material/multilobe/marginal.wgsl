@@ -2,7 +2,7 @@
 
 // Rust: `Marginal::node`, with `Marginal::cumulative`: density and, odd about 0, cumulative.
 fn lobe_marginal_node(marginal: LobeMarginal, k: i32) -> vec2f {
-    let node = lobe_dictionary[marginal.begin + u32(abs(k))];
+    let node = lobe_dictionary_node(marginal.begin + u32(abs(k)));
     return vec2f(node.x, select(node.y, -node.y, k < 0));
 }
 
