@@ -2,6 +2,7 @@
 
 use super::folder::Folder;
 use super::progress::Progress;
+use super::roughness::Roughness;
 use lobe::material::lean::{Float32, MomentMap, Storage, Unorm16};
 use png::{BitDepth, ColorType, Compression, Encoder};
 use std::fs::File;
@@ -16,16 +17,23 @@ enum Part {
     Mean,
     Second,
     Raw,
+    Roughness(Roughness),
 }
 
 impl Part {
-    const ALL: [Self; 3] = [Self::Raw, Self::Second, Self::Mean];
+    const MOMENTS: [Self; 3] = [Self::Raw, Self::Second, Self::Mean];
+
+    /// Every file of a level.
+    fn all(roughness: Option<Roughness>) -> Vec<Self> {
+        Self::MOMENTS.into_iter().chain(roughness.map(Self::Roughness)).collect()
+    }
 
     /// Of a texel.
     fn bytes(self) -> usize {
         match self {
             Self::Mean | Self::Second => 6,
             Self::Raw => 20,
+            Self::Roughness(roughness) => roughness.bits() as usize / 8,
         }
     }
 
@@ -34,6 +42,7 @@ impl Part {
             Self::Mean => format!("mean.{level}.png"),
             Self::Second => format!("second.{level}.png"),
             Self::Raw => format!("moments.{level}.f32"),
+            Self::Roughness(_) => format!("roughness.{level}.png"),
         }
     }
 }
@@ -43,6 +52,9 @@ pub(crate) struct Levels<'a> {
     map: &'a MomentMap<f32>,
     short: Unorm16,
     long: Float32,
+    parts: Vec<Part>,
+    /// Texels of a roughness above 1.
+    above: AtomicUsize,
 }
 
 /// Texels between two looks at the progress.
@@ -51,21 +63,30 @@ const STEP: usize = 1 << 16;
 const BUFFER: usize = 1 << 18;
 
 impl<'a> Levels<'a> {
-    pub(crate) fn new(map: &'a MomentMap<f32>, short: Unorm16) -> Result<Self, String> {
+    pub(crate) fn new(
+        map: &'a MomentMap<f32>,
+        short: Unorm16,
+        roughness: Option<Roughness>,
+    ) -> Result<Self, String> {
         // Floats need no range to be written; their floor depends on the steepest slope, which a flat map has not.
         let steepest = map.range().max(2e-9);
         let long = Float32::new(steepest).map_err(|error| error.to_string())?;
-        Ok(Self { map, short, long })
+        Ok(Self { map, short, long, parts: Part::all(roughness), above: AtomicUsize::new(0) })
     }
 
     /// How many texels all files of a map have together.
-    pub(crate) fn texels(mut size: [usize; 2]) -> u64 {
+    pub(crate) fn texels(mut size: [usize; 2], roughness: Option<Roughness>) -> u64 {
         let mut sum = size[0] * size[1];
         while size != [1, 1] {
             size = size.map(|n| (n / 2).max(1));
             sum += size[0] * size[1];
         }
-        (sum * Part::ALL.len()) as u64
+        (sum * Part::all(roughness).len()) as u64
+    }
+
+    /// Texels of all levels written so far whose roughness is above 1.
+    pub(crate) fn above_one(&self) -> usize {
+        self.above.load(Ordering::Relaxed)
     }
 
     /// Of 16 bits and of f32.
@@ -76,7 +97,7 @@ impl<'a> Levels<'a> {
     /// Every file's name, the finest level first.
     pub(crate) fn names(&self) -> Vec<String> {
         let levels = 0..self.map.levels();
-        levels.flat_map(|level| Part::ALL.map(|part| part.name(level))).collect()
+        levels.flat_map(|level| self.parts.iter().map(move |part| part.name(level))).collect()
     }
 
     /// Every file, into the folder.
@@ -87,7 +108,7 @@ impl<'a> Levels<'a> {
         progress: &Progress,
     ) -> Result<(), String> {
         let next = AtomicUsize::new(0);
-        let files = self.map.levels() * Part::ALL.len();
+        let files = self.map.levels() * self.parts.len();
         let failed = Mutex::new(None);
         let work = || {
             loop {
@@ -95,7 +116,7 @@ impl<'a> Levels<'a> {
                 if file >= files {
                     return;
                 }
-                let (level, part) = (file / Part::ALL.len(), Part::ALL[file % Part::ALL.len()]);
+                let (level, part) = (file / self.parts.len(), self.parts[file % self.parts.len()]);
                 if let Err(error) = self.file(folder, level, part, progress) {
                     // The others end with their file, and the first error is the one told.
                     next.store(files, Ordering::Relaxed);
@@ -127,7 +148,7 @@ impl<'a> Levels<'a> {
         if let Part::Raw = part {
             self.rows(level, part, progress, |bytes| file.write_all(bytes).map_err(full))?;
         } else {
-            let mut png = self.png(&mut file, level).map_err(of_png)?;
+            let mut png = self.png(&mut file, level, part).map_err(of_png)?;
             let mut pixels = png.stream_writer_with_size(BUFFER).map_err(of_png)?;
             self.rows(level, part, progress, |bytes| pixels.write_all(bytes).map_err(full))?;
             pixels.finish().map_err(of_png)?;
@@ -146,7 +167,7 @@ impl<'a> Levels<'a> {
     ) -> Result<(), String> {
         let [width, height] = self.map.size(level);
         let mut bytes = vec![0; width * part.bytes()];
-        let mut since = 0;
+        let (mut since, mut above) = (0, 0);
         for row in 0..height {
             for (column, out) in bytes.chunks_exact_mut(part.bytes()).enumerate() {
                 let moments = self.map.texel(level, column, row);
@@ -161,6 +182,13 @@ impl<'a> Levels<'a> {
                         let [_, _, xx, xy, yy] = self.short.encode(&moments);
                         numbers(out, [xx, xy, yy].map(u16::to_be_bytes));
                     }
+                    Part::Roughness(roughness) => {
+                        let (code, over) = roughness.code(&moments);
+                        // The highest byte first; 8 bits are the lowest one.
+                        let code = code.to_be_bytes();
+                        out.copy_from_slice(&code[code.len() - out.len()..]);
+                        above += usize::from(over);
+                    }
                 }
             }
             put(&bytes)?;
@@ -170,6 +198,7 @@ impl<'a> Levels<'a> {
                 since = 0;
             }
         }
+        self.above.fetch_add(above, Ordering::Relaxed);
         Ok(())
     }
 
@@ -177,12 +206,17 @@ impl<'a> Levels<'a> {
         &self,
         file: &'w mut BufWriter<File>,
         level: usize,
+        part: Part,
     ) -> Result<png::Writer<&'w mut BufWriter<File>>, png::EncodingError> {
         // Sides of at most 16384.
         let [width, height] = self.map.size(level).map(|n| n as u32);
         let mut encoder = Encoder::new(file, width, height);
-        encoder.set_color(ColorType::Rgb);
-        encoder.set_depth(BitDepth::Sixteen);
+        let (color, wide) = match part {
+            Part::Roughness(roughness) => (ColorType::Grayscale, roughness.wide),
+            _ => (ColorType::Rgb, true),
+        };
+        encoder.set_color(color);
+        encoder.set_depth(if wide { BitDepth::Sixteen } else { BitDepth::Eight });
         encoder.set_compression(Compression::Fast);
         encoder.write_header()
     }

@@ -1,61 +1,88 @@
 //! A normal or displacement map baked into the mip chain of its slopes' moments.
 //!
 //! `cargo run --release --example bake -- normal.png --out moments` writes each level as two 16-bit PNGs and as raw f32,
-//! and `moments.json`, which says how their codes decode. `--help` lists the options.
+//! and `moments.json`, which says how their codes decode; with `--roughness` roughness mips, too. `--help` lists the options.
 //! Exit status: 0; 2 for what cannot be read, baked or written, 130 after Ctrl-C or SIGTERM; then nothing is written.
 
+#[path = "../common/channels.rs"]
+mod channels;
 mod encode;
 #[path = "../common/folder.rs"]
 mod folder;
+#[path = "../common/integrity.rs"]
+mod integrity;
 #[path = "../common/mistake.rs"]
 mod mistake;
 mod options;
+#[path = "../common/picture.rs"]
 mod picture;
 #[path = "../common/print.rs"]
 mod print;
 #[path = "../common/progress.rs"]
 mod progress;
+mod roughness;
 mod slopes;
 mod summary;
+#[path = "../common/survey.rs"]
+mod survey;
+mod warnings;
 mod work;
 
 use encode::Levels;
 use folder::Folder;
 use lobe::material::lean::{Border, MomentMap, Unorm16};
 use options::Options;
-use picture::{Content, Picture};
+use picture::Picture;
 use progress::Progress;
-use slopes::Slopes;
+use slopes::{Normals, Slopes};
 use std::process::ExitCode;
 use std::time::Instant;
 use summary::{DESCRIPTION, Seconds, Summary};
+use warnings::{Looks, whole};
 
 /// The whole way from the file to the folder.
 fn bake(options: &Options, progress: &Progress) -> Result<Summary, String> {
     let cap = options.cap()?;
     options.check_range()?;
+    options.check_channels()?;
     let border = Border::from(options.border);
     let of_input = |error: String| format!("{}: {error}", options.input.display());
-    let relief = options.relief()?;
-    let content = if relief.is_some() { Content::Heights } else { Content::Normals };
-    let picture = Picture::open(&options.input, content).map_err(of_input)?;
+    let (relief, roughness) = (options.relief()?, options.roughness()?);
+    let start = Instant::now();
+    let file = picture::bytes_of(&options.input).map_err(of_input)?;
+    let picture = Picture::of(&file).map_err(of_input)?;
+    let (reading, trailing) = (start.elapsed(), picture.trailing());
     // Before the work, for what cannot be written; of no name yet, and gone again if the work fails.
     let folder = Folder::new(&options.out, "bake")?;
 
     let size = picture.size();
     let texels = (size[0] * size[1]) as u64;
-    progress.begin(texels + Levels::texels(size));
+    progress.begin(texels + Levels::texels(size, roughness));
     progress.stage("decoding");
+    let normals = Normals {
+        cap,
+        channels: options.channels,
+        flip: options.flip_y,
+        coverage: options.coverage,
+    };
     let slopes = match relief {
-        None => Slopes::of_normals(picture, options.normals(cap), options.threads(), progress),
+        None => Slopes::of_normals(picture, normals, options.threads(), progress),
         Some(relief) => Slopes::of_heights(picture, &relief, cap, options.threads(), progress),
     };
-    let Slopes { rows, clipped, decoding, converting } = slopes.map_err(of_input)?;
+    let slopes = slopes.map_err(of_input)?;
+    drop(file);
+    let looks = Looks::of(&slopes, trailing, options);
+    let Slopes { rows, weights, clipped, decoding, converting, .. } = slopes;
 
     progress.stage("moments and mips");
     let start = Instant::now();
-    let map = MomentMap::from_slopes_by(size, rows, border, options.threads())
-        .map_err(|error| of_input(error.to_string()))?;
+    let map = match weights {
+        None => MomentMap::from_slopes_by(size, rows, border, options.threads()),
+        Some(weights) => {
+            MomentMap::from_weighted_slopes_by(size, rows, weights, border, options.threads())
+        }
+    };
+    let map = map.map_err(|error| of_input(error.to_string()))?;
     let merging = start.elapsed();
     let copying = work::copying(map.slopes(), options.threads());
 
@@ -63,7 +90,7 @@ fn bake(options: &Options, progress: &Progress) -> Result<Summary, String> {
     let layout = Unorm16::new(range).map_err(|error| format!("--range: {error}"))?;
     progress.stage("encoding");
     let start = Instant::now();
-    let levels = Levels::new(&map, layout)?;
+    let levels = Levels::new(&map, layout, roughness)?;
     levels.write(&folder, options.threads(), progress)?;
     let mut summary = Summary {
         size,
@@ -74,8 +101,17 @@ fn bake(options: &Options, progress: &Progress) -> Result<Summary, String> {
         range,
         floors: levels.alpha_floors(),
         clipped,
+        whole: whole(&map),
+        roughness: roughness.map(|roughness| (roughness, levels.above_one())),
+        warnings: looks.warnings(&map, options),
         bytes: map.bytes(),
-        seconds: Seconds { decoding, converting, merging, copying, encoding: start.elapsed() },
+        seconds: Seconds {
+            decoding: reading + decoding,
+            converting,
+            merging,
+            copying,
+            encoding: start.elapsed(),
+        },
     };
     summary.describe(options, &folder)?;
     let mut names = levels.names();

@@ -1,7 +1,8 @@
 //! The command line, and what its options say to the library.
 
+use super::channels::Channels;
 use super::mistake;
-use super::slopes::Normals;
+use super::roughness::{Kind, Roughness};
 use clap::{Parser, ValueEnum};
 use lobe::material::lean::{Border, HeightField, SlopeCap, Unorm16};
 use std::num::NonZero;
@@ -10,11 +11,21 @@ use std::process::ExitCode;
 use std::thread::available_parallelism;
 
 /// Bake a normal map into the mip chain of its slopes' moments: mean.K.png, second.K.png and moments.K.f32 for each
-/// level K, and moments.json, which says how they decode.
+/// level K, and moments.json, which says how they decode. With --roughness also roughness.K.png, for engines that have
+/// one roughness channel and no moments.
+///
+/// What the map looks like is told on standard error in lines that begin with "bake: warning: ", and in moments.json.
+/// Exit status: 0; 2 for what cannot be read, baked or written, 130 after Ctrl-C; then nothing is written.
 #[derive(Parser)]
 #[command(name = "bake")]
 pub(crate) struct Options {
-    /// A PNG of 8 or 16 bits: RGB or RGBA (alpha is ignored), or greyscale heights with --height.
+    /// A PNG of a normal map, or of heights with --height: 8 or 16 bits a channel, a palette, or greyscale of any depth.
+    ///
+    /// A palette and transparency (tRNS) are expanded exactly. Alpha is ignored unless --channels or --coverage reads it;
+    /// gamma, sRGB and ICC chunks are ignored, as normals are no colours; of an animation the still picture is read.
+    /// A file that ends early or of which any checksum is wrong is refused; bytes after the end chunk are ignored with a
+    /// warning.
+    /// Heights without --height, red = green = blue in every texel, are refused.
     pub(crate) input: PathBuf,
     /// The folder to write; of one that exists, files of the same names are replaced.
     #[arg(long, value_name = "DIR")]
@@ -28,19 +39,39 @@ pub(crate) struct Options {
     /// What lies beyond the edges.
     #[arg(long, value_name = "WHAT", value_enum, default_value_t = Edge::Wrap)]
     pub(crate) border: Edge,
-    /// Channels that hold the normal; of rg (BC5 and its kind), z is what is left to unit length.
-    #[arg(long, value_name = "NAMES", value_enum, default_value_t = Channels::Rgb)]
+    /// Channels of x, y and z by their letters, r, g, b or a; of two, as rg (BC5), ag (DXT5nm: x in alpha, y in green)
+    /// or ra, z is what is left to unit length.
+    #[arg(long, value_name = "NAMES", default_value_t = Channels::RGB)]
     pub(crate) channels: Channels,
+    /// Weigh every texel by the alpha channel: texels of alpha 0, outside of a texture's islands, do not count.
+    ///
+    /// Each level merges its moments by the coverage of its texels. A texel of a level that covers nothing takes the
+    /// moments of the coarser texel that covers it.
+    #[arg(long, conflicts_with = "height")]
+    pub(crate) coverage: bool,
     /// Turn y: for maps whose green points down (DirectX). y is up in what is written.
     #[arg(long)]
     pub(crate) flip_y: bool,
-    /// The map is a displacement map: greyscale, and white is this high.
+    /// The map is a displacement map: grey (or colours with red = green = blue), and white is this high.
     #[arg(long, value_name = "SCALE", requires = "texel", allow_negative_numbers = true)]
     #[arg(conflicts_with = "channels")]
     pub(crate) height: Option<f32>,
     /// The distance of a displacement map's texels, in the unit of --height.
     #[arg(long, value_name = "SIZE", requires = "height", allow_negative_numbers = true)]
     pub(crate) texel: Option<f32>,
+    /// Write roughness mips, too: roughness.K.png, one channel, for a material of this roughness, 0 to 1, under the map.
+    ///
+    /// alpha_K^2 = alpha^2 + tr Sigma_K: the isotropic lobe with the mean square slope of the material and of the map's
+    /// texels together, about their mean slope, which mean.K.png or the engine's own mips of normals hold. Codes are
+    /// rounded to the nearest; roughnesses above 1 are written as 1 and counted.
+    #[arg(long = "roughness", value_name = "BASE", allow_negative_numbers = true)]
+    base: Option<f64>,
+    /// What BASE and the codes of roughness.K.png are: alpha, or its square root, as glTF and most engines have it.
+    #[arg(long, value_name = "KIND", value_enum, default_value_t = Kind::Perceptual, requires = "base")]
+    roughness_as: Kind,
+    /// Bits of roughness.K.png.
+    #[arg(long, value_name = "BITS", value_parser = ["8", "16"], default_value = "8", requires = "base")]
+    roughness_bits: String,
     /// Threads; by default as many as there are cores.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
@@ -63,12 +94,6 @@ impl From<Edge> for Border {
     }
 }
 
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-pub(crate) enum Channels {
-    Rgb,
-    Rg,
-}
-
 /// Of a displacement map: the height of white, the distances of texels, what lies beyond the edges.
 pub(crate) struct Relief {
     pub(crate) displacement: f32,
@@ -89,8 +114,17 @@ impl Options {
         SlopeCap::new(self.cap).map_err(|error| format!("--cap {}: {error}", self.cap))
     }
 
-    pub(crate) fn normals(&self, cap: SlopeCap<f32>) -> Normals {
-        Normals { cap, pairs: self.channels == Channels::Rg, flip: self.flip_y }
+    /// The steepest slope, as given.
+    pub(crate) fn steepest(&self) -> f32 {
+        self.cap
+    }
+
+    /// What roughness mips are made of, if they are asked for.
+    pub(crate) fn roughness(&self) -> Result<Option<Roughness>, String> {
+        let wide = self.roughness_bits == "16";
+        let roughness = self.base.map(|base| Roughness::new(base, self.roughness_as, wide));
+        let refused = |error| format!("--roughness {}: {error}", self.base.unwrap_or_default());
+        roughness.transpose().map_err(refused)
     }
 
     /// What a displacement map needs, if the input is one.
@@ -111,6 +145,14 @@ impl Options {
             Err(lobe::Error::Texel) => Err(format!("--texel {texel}: {}", lobe::Error::Texel)),
             Err(error) => Err(format!("--height {displacement}: {error}")),
         }
+    }
+
+    /// What is wrong with options that go together, whatever the map.
+    pub(crate) fn check_channels(&self) -> Result<(), String> {
+        if self.coverage && self.channels.use_alpha() {
+            return Err(format!("--coverage: --channels {} already reads alpha", self.channels));
+        }
+        Ok(())
     }
 
     /// What is wrong with the range, whatever the map.

@@ -1,8 +1,10 @@
 //! A picture's texels as slopes, band by band on several threads.
 
+use super::channels::Channels;
 use super::options::Relief;
 use super::picture::{Picture, Texel};
 use super::progress::Progress;
+use super::survey::{Channel, Survey};
 use super::work::dealt;
 use lobe::material::lean::{Clipped, HeightField, NormalTexel, SlopeCap};
 use std::time::{Duration, Instant};
@@ -10,7 +12,12 @@ use std::time::{Duration, Instant};
 /// The slopes of a map, and how long the two steps took.
 pub(crate) struct Slopes {
     pub(crate) rows: Vec<[f32; 2]>,
+    /// What each texel counts, if not all count the same.
+    pub(crate) weights: Option<Vec<f32>>,
     pub(crate) clipped: Clipped,
+    /// Texels of alpha 0.
+    pub(crate) clear: usize,
+    pub(crate) survey: Survey,
     pub(crate) decoding: Duration,
     pub(crate) converting: Duration,
 }
@@ -19,25 +26,22 @@ pub(crate) struct Slopes {
 #[derive(Clone, Copy)]
 pub(crate) struct Normals {
     pub(crate) cap: SlopeCap<f32>,
-    /// Two channels: z is what is left.
-    pub(crate) pairs: bool,
+    pub(crate) channels: Channels,
     /// y counts down.
     pub(crate) flip: bool,
+    /// Alpha is how much of a texel counts.
+    pub(crate) coverage: bool,
 }
 
-/// What a thread found in its rows.
+/// What a thread found in its rows: texels that the cap touched, and texels of alpha 0.
 #[derive(Clone, Copy, Default)]
 struct Found {
     clipped: Clipped,
-    /// Normals that point up.
-    up: usize,
+    clear: usize,
 }
 
-impl Found {
-    fn plus(self, other: Self) -> Self {
-        Self { clipped: self.clipped.plus(other.clipped), up: self.up + other.up }
-    }
-}
+/// Who reads the heights that a user gave as normals.
+const HEIGHTS: &str = "; --height SCALE --texel SIZE reads it as heights";
 
 impl Slopes {
     /// Of a normal map.
@@ -49,31 +53,55 @@ impl Slopes {
     ) -> Result<Self, String> {
         let [width, height] = picture.size();
         let texel = picture.texel();
-        let convert = match (texel.wide, normals.pairs) {
-            (false, false) => convert::<u8, false>,
-            (false, true) => convert::<u8, true>,
-            (true, false) => convert::<u16, false>,
-            (true, true) => convert::<u16, true>,
+        let places = normals.channels.places(texel)?;
+        if normals.coverage && !texel.has_alpha() {
+            return Err("has no alpha channel, which --coverage reads".to_owned());
+        }
+        let convert = match (texel.wide, normals.channels.roles().len()) {
+            (false, 3) => convert::<u8, false>,
+            (false, _) => convert::<u8, true>,
+            (true, 3) => convert::<u16, false>,
+            (true, _) => convert::<u16, true>,
         };
-        let start = Instant::now();
         let mut rows = vec![[0.0; 2]; width * height];
-        let mut converting = start.elapsed();
-        let mut found = Found::default();
-        let decoding = picture.bands(|first, bytes| {
+        let mut weights = normals.coverage.then(|| Vec::with_capacity(rows.len()));
+        let mut survey = Survey::new(normals.channels, texel);
+        let mut sum = Found::default();
+        let (mut converting, whole) = (Duration::ZERO, Instant::now());
+        picture.bands(|first, bytes| {
             let start = Instant::now();
             let texels = bytes.len() / texel.bytes();
-            let band = dealt(&mut rows[first * width..][..texels], 1, threads, |place, out| {
-                convert(&bytes[place * texel.bytes()..], texel, normals, out)
+            let found = dealt(&mut rows[first * width..][..texels], 1, threads, |place, out| {
+                let bytes = &bytes[place * texel.bytes()..][..out.len() * texel.bytes()];
+                let mut survey = Survey::new(normals.channels, texel);
+                let surveyed = survey.add(bytes, texel, normals.coverage);
+                surveyed.map(|()| (survey, convert(bytes, texel, places, normals, out)))
             });
-            found = band.into_iter().fold(found, Found::plus);
+            for found in found {
+                let (part, found) = found?;
+                survey.join(&part);
+                sum.clipped = sum.clipped.plus(found.clipped);
+                sum.clear += found.clear;
+            }
+            if let Some(weights) = &mut weights {
+                let alpha = texel.channels - 1;
+                let texels = bytes.chunks_exact(texel.bytes());
+                if texel.wide {
+                    weights.extend(texels.map(|texel| share(u16::at(texel, alpha))));
+                } else {
+                    weights.extend(texels.map(|texel| share(u8::at(texel, alpha))));
+                }
+            }
             converting += start.elapsed();
             progress.by(texels as u64)
         })?;
-        // A picture in which half of the texels point down is something else.
-        if 2 * found.up <= rows.len() {
-            return Err("not a tangent-space normal map (most texels do not point up)".to_owned());
+        if let Some(line) = survey.refusal(HEIGHTS) {
+            let ignored = if normals.coverage { None } else { clear(sum.clear, rows.len()) };
+            return Err(line + &ignored.unwrap_or_default());
         }
-        Ok(Self { rows, clipped: found.clipped, decoding, converting })
+        let decoding = whole.elapsed().saturating_sub(converting);
+        let Found { clipped, clear } = sum;
+        Ok(Self { rows, weights, clipped, clear, survey, decoding, converting })
     }
 
     /// Of a displacement map.
@@ -86,20 +114,28 @@ impl Slopes {
     ) -> Result<Self, String> {
         let size = picture.size();
         let texel = picture.texel();
+        // Green, of which a grey that a lossy format has touched keeps the most.
+        let [_, green, _] = Channels::RGB.places(texel)?;
+        let mut survey = Survey::new(Channels::RGB, texel);
         let mut heights = Vec::with_capacity(size[0] * size[1]);
-        let mut converting = Duration::ZERO;
-        let decoding = picture.bands(|_, bytes| {
+        let (mut converting, whole) = (Duration::ZERO, Instant::now());
+        picture.bands(|_, bytes| {
             let start = Instant::now();
+            survey.add(bytes, texel, false)?;
             let texels = bytes.chunks_exact(texel.bytes());
             let count = texels.len();
             if texel.wide {
-                heights.extend(texels.map(|texel| u16::at(texel, 0).share()));
+                heights.extend(texels.map(|texel| share(u16::at(texel, green))));
             } else {
-                heights.extend(texels.map(|texel| u8::at(texel, 0).share()));
+                heights.extend(texels.map(|texel| share(u8::at(texel, green))));
             }
             converting += start.elapsed();
             progress.by(count as u64)
         })?;
+        if !survey.is_grey() {
+            return Err("is a colour picture; --height needs greyscale".to_owned());
+        }
+        let decoding = whole.elapsed().saturating_sub(converting);
         let start = Instant::now();
         let field =
             HeightField::new(size, &heights, relief.texel, relief.displacement, relief.border)
@@ -112,53 +148,49 @@ impl Slopes {
             .into_iter()
             .try_fold(Clipped::default(), |sum, band| band.map(|clipped| sum.plus(clipped)))?;
         converting += start.elapsed();
-        Ok(Self { rows, clipped, decoding, converting })
+        Ok(Self { rows, weights: None, clipped, clear: 0, survey, decoding, converting })
     }
 }
 
-/// A number of a texel.
-trait Channel: Copy + Into<i64> + Into<f64> {
-    const LARGEST: Self;
-    /// The `k`-th of a texel's bytes.
-    fn at(texel: &[u8], k: usize) -> Self;
-    /// The number of the opposite sign.
+/// What to say of texels of alpha 0 that count as all others, after something that they may have caused.
+pub(crate) fn clear(clear: usize, texels: usize) -> Option<String> {
+    let percent = 100.0 * clear as f64 / texels as f64;
+    let line = format!("; alpha is 0 in {percent:.1} % of all texels, which --coverage leaves out");
+    (clear > 0).then_some(line)
+}
+
+/// A number that has an opposite sign: normals' x and y around half of the largest number.
+trait Signed: Channel {
+    /// The number for the opposite sign.
     fn opposite(self) -> Self;
-
-    /// Of the largest one, in [0, 1].
-    fn share(self) -> f32 {
-        let (value, largest): (f64, f64) = (self.into(), Self::LARGEST.into());
-        (value / largest) as f32
-    }
 }
 
-impl Channel for u8 {
-    const LARGEST: Self = Self::MAX;
-    #[inline]
-    fn at(texel: &[u8], k: usize) -> Self {
-        texel[k]
-    }
+impl Signed for u8 {
     #[inline]
     fn opposite(self) -> Self {
         Self::MAX - self
     }
 }
 
-impl Channel for u16 {
-    const LARGEST: Self = Self::MAX;
-    #[inline]
-    fn at(texel: &[u8], k: usize) -> Self {
-        Self::from_be_bytes([texel[2 * k], texel[2 * k + 1]])
-    }
+impl Signed for u16 {
     #[inline]
     fn opposite(self) -> Self {
         Self::MAX - self
     }
+}
+
+/// A number's part of the largest one, in [0, 1].
+#[inline]
+fn share<C: Channel>(value: C) -> f32 {
+    let (value, largest): (f64, f64) = (value.into(), C::LARGEST.into());
+    (value / largest) as f32
 }
 
 /// The slopes of as many texels as `out` holds.
-fn convert<C: Channel, const PAIRS: bool>(
+fn convert<C: Signed, const PAIRS: bool>(
     bytes: &[u8],
     texel: Texel,
+    [x, y, z]: [usize; 3],
     normals: Normals,
     out: &mut [[f32; 2]],
 ) -> Found
@@ -166,24 +198,22 @@ where
     [C; 2]: NormalTexel,
     [C; 3]: NormalTexel,
 {
-    let (mut touched, mut up) = (0, 0);
-    let largest: i64 = C::LARGEST.into();
-    let signed = |channel: C| 2 * Into::<i64>::into(channel) - largest;
-    for (out, texel) in out.iter_mut().zip(bytes.chunks_exact(texel.bytes())) {
-        let (x, y) = (C::at(texel, 0), C::at(texel, 1));
-        let y = if normals.flip { y.opposite() } else { y };
-        let (slope, clipped, points_up);
-        if PAIRS {
-            (slope, clipped) = normals.cap.slope([x, y]);
-            points_up = signed(x).pow(2) + signed(y).pow(2) < largest.pow(2);
+    let mut found = Found::default();
+    let alpha = texel.has_alpha().then_some(texel.channels - 1);
+    for (out, bytes) in out.iter_mut().zip(bytes.chunks_exact(texel.bytes())) {
+        let at = |k: usize| C::at(bytes, k);
+        let y = if normals.flip { at(y).opposite() } else { at(y) };
+        let touched;
+        (*out, touched) = if PAIRS {
+            normals.cap.slope([at(x), y])
         } else {
-            let z = C::at(texel, 2);
-            (slope, clipped) = normals.cap.slope([x, y, z]);
-            points_up = signed(z) > 0;
-        }
-        *out = slope;
-        touched += usize::from(clipped);
-        up += usize::from(points_up);
+            normals.cap.slope([at(x), y, at(z)])
+        };
+        let clear = alpha.is_some_and(|k| Into::<i64>::into(at(k)) == 0);
+        let counts = !(clear && normals.coverage);
+        found.clipped.texels += usize::from(touched && counts);
+        found.clipped.of += usize::from(counts);
+        found.clear += usize::from(clear);
     }
-    Found { clipped: Clipped { texels: touched, of: out.len() }, up }
+    found
 }

@@ -1,8 +1,11 @@
 //! What was baked: as text for people, as JSON for programs.
 
 use super::folder::Folder;
-use super::options::{Channels, Options};
+use super::options::Options;
 use super::print::print;
+use super::roughness::Roughness;
+use super::warnings::deviation;
+use lobe::SlopeMoments;
 use lobe::material::lean::{Border, Clipped};
 use serde_json::json;
 use std::fs;
@@ -12,6 +15,8 @@ use std::time::Duration;
 
 /// The file in which a reader finds the others.
 pub(crate) const DESCRIPTION: &str = "moments.json";
+/// The files of a level in the description.
+const PARTS: [&str; 4] = ["mean", "second", "raw", "roughness"];
 
 /// A baked map in numbers.
 pub(crate) struct Summary {
@@ -25,6 +30,12 @@ pub(crate) struct Summary {
     /// Of 16 bits and of f32.
     pub(crate) floors: [f32; 2],
     pub(crate) clipped: Clipped,
+    /// The moments of all slopes.
+    pub(crate) whole: SlopeMoments<f32>,
+    /// How roughness was written, and how many texels of all levels are rougher than 1.
+    pub(crate) roughness: Option<(Roughness, usize)>,
+    /// What the user may want to decide about, a line each.
+    pub(crate) warnings: Vec<String>,
     /// Of the chain in memory.
     pub(crate) bytes: usize,
     pub(crate) seconds: Seconds,
@@ -53,21 +64,25 @@ impl Summary {
     fn json(&self, options: &Options) -> String {
         let levels: Vec<_> = (0..self.levels)
             .map(|k| {
-                json!({
+                let mut level = json!({
                     "size": self.size.map(|n| (n >> k).max(1)),
                     "mean": format!("mean.{k}.png"),
                     "second": format!("second.{k}.png"),
                     "raw": format!("moments.{k}.f32"),
-                })
+                });
+                if self.roughness.is_some() {
+                    level["roughness"] = format!("roughness.{k}.png").into();
+                }
+                level
             })
             .collect();
-        let description = json!({
+        let mut description = json!({
             "source": options.input.file_name().map(|name| name.to_string_lossy()),
-            "channels": match (options.height, options.channels) {
-                (Some(_), _) => "heights",
-                (None, Channels::Rgb) => "rgb",
-                (None, Channels::Rg) => "rg",
+            "channels": match options.height {
+                Some(_) => "heights".to_owned(),
+                None => options.channels.to_string(),
             },
+            "coverage": options.coverage,
             "flip_y": options.flip_y,
             "height": options.height,
             "texel": options.texel,
@@ -81,6 +96,9 @@ impl Summary {
                 "of": self.clipped.of,
                 "fraction": self.clipped.fraction(),
             },
+            "mean_slope": self.whole.mean(),
+            "deviation": deviation(&self.whole),
+            "warnings": self.warnings,
             "alpha_floor": { "unorm16": self.floors[0], "f32": self.floors[1] },
             "decode": {
                 "slopes": "s = (dh/dx, dh/dy) = (-n.x / n.z, -n.y / n.z); x to the right, y up, rows from the top",
@@ -92,6 +110,22 @@ impl Summary {
             },
             "levels": levels,
         });
+        if let Some((roughness, above)) = self.roughness {
+            let (kind, bits, largest) =
+                (roughness.kind.name(), roughness.bits(), roughness.largest());
+            description["roughness"] = json!({
+                "base": roughness.base,
+                "kind": kind,
+                "bits": bits,
+                "above_one": above,
+            });
+            let root = if kind == "alpha" { "" } else { "; alpha = perceptual^2" };
+            description["decode"]["roughness"] = format!(
+                "{bits}-bit grey: {kind} = code / {largest}{root}; \
+                 alpha^2 = alpha_base^2 + covariance[xx] + covariance[yy], at most 1"
+            )
+            .into();
+        }
         format!("{description:#}\n")
     }
 
@@ -107,6 +141,7 @@ impl Summary {
             "{}: {width} x {height}, {} levels, in {}\n\
              range           slopes to {}, stored in [-{range}, {range}]\n\
              clipped         {} of {} texels at {} ({:.4} %)\n\
+             mean slope      ({:.5}, {:.5}), deviation {:.5}\n\
              alpha floor     {:.2e} in 16 bits, {:.2e} in f32\n\
              decoding        {:8.3} s\n\
              moments, mips   {:8.3} s, {:.1} megapixels/s (slopes {:.3} s, mips {:.3} s; {} threads)\n\
@@ -121,6 +156,9 @@ impl Summary {
             self.clipped.of,
             self.cap,
             100.0 * self.clipped.fraction(),
+            self.whole.mean()[0],
+            self.whole.mean()[1],
+            deviation(&self.whole),
             self.floors[0],
             self.floors[1],
             decoding.as_secs_f64(),
@@ -136,13 +174,23 @@ impl Summary {
             self.bytes as f64 / slopes,
             range = self.range,
         );
-        match peak() {
-            Some(peak) => format!("{text}peak            {peak:.0} MiB\n"),
-            None => text,
-        }
+        let rough = self.roughness.map(|(roughness, above)| {
+            format!(
+                "roughness       {} {} under the map, {} bits; {above} texels above 1\n",
+                roughness.kind.name(),
+                roughness.base,
+                roughness.bits(),
+            )
+        });
+        let peak = peak().map(|peak| format!("peak            {peak:.0} MiB\n"));
+        text + &rough.unwrap_or_default() + &peak.unwrap_or_default()
     }
 
+    /// The warnings on standard error, the numbers on standard output.
     pub(crate) fn print(&self, options: &Options) -> Result<(), String> {
+        for warning in &self.warnings {
+            eprintln!("bake: warning: {}: {warning}", options.input.display());
+        }
         print(&self.text(options))
     }
 }
@@ -152,7 +200,7 @@ pub(crate) fn described(folder: &Path) -> Vec<String> {
     let text = fs::read_to_string(folder.join(DESCRIPTION)).unwrap_or_default();
     let known: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
     let levels = known["levels"].as_array().into_iter().flatten();
-    let names = levels.flat_map(|level| ["mean", "second", "raw"].map(|part| level[part].as_str()));
+    let names = levels.flat_map(|level| PARTS.map(|part| level[part].as_str()));
     // Names, not paths: a description that someone else wrote must not reach out of its folder.
     let plain = |name: &&str| Path::new(name).file_name().is_some_and(|file| file == *name);
     names.flatten().filter(plain).map(str::to_owned).collect()

@@ -65,3 +65,4 @@ mod rotation;
 mod scalar;
 mod shade;
 mod storage;
+mod weights;

@@ -8,12 +8,16 @@
 //! other renderers, as plain numbers.
 
 mod camera;
+#[path = "../../common/channels.rs"]
+mod channels;
 mod coverage;
 mod facets;
 mod footprints;
 mod frame;
 mod frontier;
 mod glints;
+#[path = "../../common/integrity.rs"]
+mod integrity;
 mod kernels;
 mod level;
 mod light;
@@ -25,6 +29,8 @@ mod output;
 mod overlap;
 mod page;
 mod pattern;
+#[path = "../../common/picture.rs"]
+mod picture;
 mod program;
 mod reference;
 mod relief;
@@ -37,6 +43,8 @@ mod sizes;
 pub mod spirv;
 mod standing;
 mod study;
+#[path = "../../common/survey.rs"]
+mod survey;
 mod texture;
 mod timing;
 mod vector;

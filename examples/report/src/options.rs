@@ -7,6 +7,7 @@ use clap::error::ErrorKind;
 use clap::{Parser, ValueEnum};
 
 use crate::camera::Size;
+use crate::channels::Channels;
 use crate::facets;
 use crate::glints;
 use crate::light::LightKind;
@@ -46,10 +47,18 @@ pub(crate) struct Options {
     #[arg(long, value_enum)]
     pub(crate) light: Option<Lights>,
 
-    /// A tangent-space normal map (PNG, RGB or RGBA, 8 or 16 bits, +y up) to show on the plane and on
+    /// A tangent-space normal map (PNG of 8 or 16 bits or with a palette, +y up) to show on the plane and on
     /// the sphere (scenes `plane`, `mapped-sphere` and `minified`) instead of the four that the program carries.
+    ///
+    /// Alpha is ignored unless --channels reads it, gamma, sRGB and ICC chunks are ignored always. A file that ends
+    /// early or of which any checksum is wrong is refused; bytes after the end chunk are ignored with a warning.
     #[arg(long, value_name = "FILE")]
     pub(crate) normal_map: Option<PathBuf>,
+
+    /// Channels of the normal map's x, y and z by their letters, r, g, b or a; of two, as rg (BC5), ag (DXT5nm: x
+    /// in alpha, y in green) or ra, z is what is left to unit length.
+    #[arg(long, value_name = "NAMES", default_value_t = Channels::RGB, requires = "normal_map")]
+    pub(crate) channels: Channels,
 
     /// Roughness of the material, from 0.0001 to 1: this one only. Brushed scenes have five times as
     /// much across their grooves. [default: 0.01, 0.05 and 0.3, with --quick the first two; of minified

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::camera::Size;
+use crate::channels::Channels;
 use crate::facets::{self, Facets};
 use crate::glints::{self, Glitter};
 use crate::kernels::Kernels;
@@ -16,12 +17,13 @@ use crate::minify::Minified;
 use crate::options::{Mistake, Options, Scenes};
 use crate::output::{self, Output};
 use crate::page::{self, Report};
+use crate::picture;
 use crate::relief::{self, Relief};
 use crate::scene::{Movement, NormalMap, Subject, carried_maps, restless_map};
 use crate::sequence::{Plan, Sequence};
 use crate::sizes::Sizes;
 use crate::study::{self, Study};
-use crate::texture::Texture;
+use crate::texture::{Decoded, Texture};
 
 /// The program `lobe-report`: reads the command line, studies every scene, writes the page.
 pub fn run() -> ExitCode {
@@ -130,7 +132,7 @@ fn maps(options: &Options) -> Result<Vec<NormalMap>, Mistake> {
         _ if ![Scenes::Plane, Scenes::MappedSphere, Scenes::Minified].into_iter().any(asked) => {
             Ok(Vec::new())
         }
-        Some(path) => Ok(vec![normal_map(path)?]),
+        Some(path) => Ok(vec![normal_map(path, options.channels)?]),
         None => carried_maps(!options.quick).map_err(Mistake),
     }
 }
@@ -174,13 +176,15 @@ fn subjects(options: &Options, size: Size, maps: &[NormalMap]) -> Vec<Subject> {
     subjects
 }
 
-/// A user's normal map.
-fn normal_map(path: &Path) -> Result<NormalMap, Mistake> {
-    let mistake = |error: &dyn std::fmt::Display| {
-        Mistake(format!("--normal-map '{}': {error}", path.display()))
-    };
-    let file = std::fs::read(path).map_err(|error| mistake(&error))?;
-    let texture = Texture::decode(&file).map_err(|error| mistake(&error))?;
+/// A user's normal map; what it looks like is told on standard error.
+fn normal_map(path: &Path, channels: Channels) -> Result<NormalMap, Mistake> {
+    let named = |line: &str| format!("--normal-map '{}': {line}", path.display());
+    let mistake = |error: String| Mistake(named(&error));
+    let file = picture::bytes_of(path).map_err(mistake)?;
+    let Decoded { texture, hints } = Texture::decode(&file, channels).map_err(mistake)?;
+    for hint in hints {
+        eprintln!("warning: {}", named(&hint));
+    }
     let name = path.file_stem().map_or("normal map".into(), |stem| stem.to_string_lossy());
     Ok(NormalMap { name: name.into_owned(), texture: Arc::new(texture) })
 }

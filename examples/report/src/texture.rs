@@ -1,12 +1,13 @@
 //! Normal maps: PNG in, unit normals, bilinear and repeating.
 
-use std::io::Cursor;
-
+use lobe::material::lean::NormalTexel;
 use lobe::slope::direction::normalize;
-use png::{BitDepth, ColorType, Decoder, Limits};
 
+use crate::channels::Channels;
 use crate::level::{Level, mix};
+use crate::picture::Picture;
 use crate::scalar::Scalar;
+use crate::survey::{Channel, Survey};
 use crate::vector::{Vector, along, dot, scaled, sub, tangential};
 
 /// Unit normals of a tangent-space normal map, +y up as stored, rows from the top.
@@ -14,59 +15,45 @@ pub(crate) struct Texture {
     level: Level<3>,
 }
 
-/// No side longer than this: 16 K maps are the largest that engines ship.
-const LONGEST_SIDE: u32 = 16_384;
-/// Bytes the decoder may take, for files that claim more than they hold.
-const DECODER_BYTES: usize = 2 << 30;
+/// A texture, and what its picture looks like: a line each, for the user to decide.
+pub(crate) struct Decoded {
+    pub(crate) texture: Texture,
+    pub(crate) hints: Vec<String>,
+}
 
 impl Texture {
-    /// Decodes RGB or RGBA of 8 or 16 bits; alpha is ignored.
+    /// Decodes a PNG's channels of x, y and z; of two, z is what is left to unit length.
     ///
     /// Texels are `2 v / max - 1`, then brought to unit length: compressed maps hold unequal lengths.
-    pub(crate) fn decode(file: &[u8]) -> Result<Self, String> {
-        if file.is_empty() {
-            return Err("the file is empty".into());
+    pub(crate) fn decode(file: &[u8], channels: Channels) -> Result<Decoded, String> {
+        let picture = Picture::of(file)?;
+        let (size, texel) = (picture.size(), picture.texel());
+        let places = channels.places(texel)?;
+        let mut survey = Survey::new(channels, texel);
+        let mut hints = Vec::new();
+        if picture.trailing() > 0 {
+            hints.push(format!("{} bytes after the picture's end are ignored", picture.trailing()));
         }
-        let broken = |error: png::DecodingError| format!("not a readable PNG ({error})");
-        let limits = Limits { bytes: DECODER_BYTES };
-        let decoder = Decoder::new_with_limits(Cursor::new(file), limits);
-        let mut reader = decoder.read_info().map_err(broken)?;
-        let info = reader.info();
-        let (width, height) = (info.width, info.height);
-        if width == 0 || height == 0 {
-            return Err("the picture has no pixels".into());
+        let mut normals = Vec::with_capacity(size[0] * size[1]);
+        picture.bands(|_, bytes| {
+            survey.add(bytes, texel, false)?;
+            normals.extend(bytes.chunks_exact(texel.bytes()).map(|texel_bytes| {
+                let [x, y, z] = places.map(|k| {
+                    if texel.wide {
+                        signed(u16::at(texel_bytes, k))
+                    } else {
+                        signed(u8::at(texel_bytes, k))
+                    }
+                });
+                unit(if channels.roles().len() == 3 { [x, y, z] } else { [x, y].normal() })
+            }));
+            Ok(())
+        })?;
+        if let Some(line) = survey.refusal("") {
+            return Err(line);
         }
-        if width > LONGEST_SIDE || height > LONGEST_SIDE {
-            return Err(format!("{width} x {height} is too large (at most {LONGEST_SIDE} a side)"));
-        }
-        let channels = match info.color_type {
-            ColorType::Rgb => 3,
-            ColorType::Rgba => 4,
-            ColorType::Grayscale | ColorType::GrayscaleAlpha => return Err(not_rgb("greyscale")),
-            ColorType::Indexed => return Err(not_rgb("a palette picture")),
-        };
-        let wide = info.bit_depth == BitDepth::Sixteen;
-        let bytes = reader.output_buffer_size().ok_or("the picture is too large")?;
-        let mut data = vec![0; bytes];
-        reader.next_frame(&mut data).map_err(broken)?;
-
-        let normals: Vec<_> = if wide {
-            data.chunks_exact(2 * channels)
-                .map(|texel| {
-                    unit([0, 2, 4].map(|k| u16::from_be_bytes([texel[k], texel[k + 1]])), 65535.0)
-                })
-                .collect()
-        } else {
-            data.chunks_exact(channels)
-                .map(|texel| unit([texel[0], texel[1], texel[2]].map(u16::from), 255.0))
-                .collect()
-        };
-        // Blue is z: a picture in which half of the texels point down is something else.
-        let up = normals.iter().filter(|normal| normal[2] > 0.0).count();
-        if 2 * up <= normals.len() {
-            return Err("not a tangent-space normal map (most texels do not point up)".into());
-        }
-        Ok(Self { level: Level::new([width as usize, height as usize], normals) })
+        hints.extend(survey.hints());
+        Ok(Decoded { texture: Self { level: Level::new(size, normals) }, hints })
     }
 
     /// The normal at texel coordinates (x to the right, y down), before normalisation.
@@ -99,18 +86,21 @@ impl Texture {
     }
 }
 
-fn not_rgb(kind: &str) -> String {
-    format!("is {kind}; a normal map needs RGB or RGBA")
+/// A channel's number in [-1, 1].
+fn signed<C: Channel>(value: C) -> f64 {
+    let (value, largest): (f64, f64) = (value.into(), C::LARGEST.into());
+    2.0 * value / largest - 1.0
 }
 
 /// A texel's normal at unit length, by way of f64: 16 bits keep all they have.
-fn unit(texel: [u16; 3], max: f64) -> [f32; 3] {
-    normalize(texel.map(|v| 2.0 * f64::from(v) / max - 1.0)).map(|c| c as f32)
+fn unit(normal: [f64; 3]) -> [f32; 3] {
+    normalize(normal).map(|c| c as f32)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Texture;
+    use super::{Decoded, Texture};
+    use crate::channels::Channels;
     use png::{BitDepth, ColorType};
 
     fn encode(width: u32, height: u32, color: ColorType, depth: BitDepth, data: &[u8]) -> Vec<u8> {
@@ -119,14 +109,22 @@ mod tests {
         encoder.set_color(color);
         encoder.set_depth(depth);
         if color == ColorType::Indexed {
-            encoder.set_palette(vec![128, 128, 255]);
+            encoder.set_palette(vec![128, 128, 255, 255, 128, 204]);
         }
         encoder.write_header().unwrap().write_image_data(data).unwrap();
         file
     }
 
+    fn decode(file: &[u8], channels: &str) -> Result<Decoded, String> {
+        Texture::decode(file, channels.parse().unwrap())
+    }
+
+    fn texture(file: &[u8]) -> Texture {
+        Texture::decode(file, Channels::RGB).unwrap().texture
+    }
+
     fn refusal(file: &[u8]) -> String {
-        Texture::decode(file).err().expect("must be refused")
+        Texture::decode(file, Channels::RGB).err().expect("must be refused")
     }
 
     #[test]
@@ -135,7 +133,7 @@ mod tests {
         let rgba = encode(1, 1, ColorType::Rgba, BitDepth::Eight, &[255, 128, 204, 7]);
         let wide: Vec<u8> = [255_u8, 128, 204].iter().flat_map(|&b| [b, b]).collect();
         let wide = encode(1, 1, ColorType::Rgb, BitDepth::Sixteen, &wide);
-        let [a, b, c] = [rgb, rgba, wide].map(|file| Texture::decode(&file).unwrap().normals()[0]);
+        let [a, b, c] = [rgb, rgba, wide].map(|file| texture(&file).normals()[0]);
         assert_eq!(a, b);
         assert_eq!(a, c); // 257 v / 65535 = v / 255
         assert!((a[0] * a[0] + a[1] * a[1] + a[2] * a[2] - 1.0).abs() < 1e-6);
@@ -146,7 +144,7 @@ mod tests {
     fn lookups_are_bilinear_and_repeat() {
         // 2 x 1 texels: +x tilted, -x tilted.
         let file = encode(2, 1, ColorType::Rgb, BitDepth::Eight, &[255, 127, 255, 0, 127, 255]);
-        let texture = Texture::decode(&file).unwrap();
+        let texture = texture(&file);
         let at = |x: f64| texture.lookup(x, 0.5)[0];
         let peak = at(0.5);
         assert!((peak - 0.5_f64.sqrt()).abs() < 1e-4);
@@ -160,18 +158,47 @@ mod tests {
     }
 
     #[test]
+    fn palettes_and_two_channels_are_normals_too() {
+        // Two texels, of the second colour and the first, in the highest bits.
+        let palette = encode(2, 1, ColorType::Indexed, BitDepth::One, &[0b1000_0000]);
+        let rgb = encode(2, 1, ColorType::Rgb, BitDepth::Eight, &[255, 128, 204, 128, 128, 255]);
+        assert_eq!(texture(&palette).normals(), texture(&rgb).normals());
+        // x = 0.6, y = 0 in alpha and green: z is what is left.
+        let pair = encode(1, 1, ColorType::Rgba, BitDepth::Eight, &[255, 128, 255, 204]);
+        let normal = decode(&pair, "ag").unwrap().texture.normals()[0];
+        assert!((normal[0] - 0.6).abs() < 1e-6 && (normal[2] - 0.8).abs() < 1e-4, "{normal:?}");
+        assert!(decode(&rgb, "ag").err().unwrap().contains("no alpha channel"));
+    }
+
+    #[test]
+    fn hints_say_what_a_map_looks_like() {
+        let pairs: Vec<u8> = (0..16_u8).flat_map(|k| [255, 90 + 5 * k, 255, 160 - 4 * k]).collect();
+        let file = encode(4, 4, ColorType::Rgba, BitDepth::Eight, &pairs);
+        let hints = decode(&file, "rgb").unwrap().hints;
+        assert!(hints.len() == 1 && hints[0].contains("--channels ag"), "{hints:?}");
+        assert!(decode(&file, "ag").unwrap().hints.is_empty());
+        let hints = decode(&[&file[..], b"more"].concat(), "ag").unwrap().hints;
+        assert!(hints.len() == 1 && hints[0].contains("4 bytes"), "{hints:?}");
+    }
+
+    #[test]
     fn refusals_say_what_is_wrong() {
         assert!(refusal(&[]).contains("empty"));
         assert!(refusal(b"GIF89a").contains("not a readable PNG"));
         let grey = encode(1, 1, ColorType::Grayscale, BitDepth::Eight, &[9]);
-        assert!(refusal(&grey).contains("greyscale"));
-        let palette = encode(1, 1, ColorType::Indexed, BitDepth::Eight, &[0]);
-        assert!(refusal(&palette).contains("palette"));
+        assert!(refusal(&grey).contains("height (bump) map"));
+        let grey = encode(1, 1, ColorType::Rgb, BitDepth::Eight, &[9; 3]);
+        assert!(refusal(&grey).contains("height (bump) map"));
         let noise: Vec<u8> = (0..300_u32).map(|k| (k * k * 31 % 251) as u8).collect();
         let whole = encode(10, 10, ColorType::Rgb, BitDepth::Eight, &noise);
-        assert!(refusal(&whole[..whole.len() / 2]).contains("not a readable PNG"));
-        let mut none = whole;
-        none[16..20].fill(0); // the width in the header
-        assert!(Texture::decode(&none).is_err());
+        for missing in 1..whole.len() {
+            assert!(refusal(&whole[..whole.len() - missing]).contains("not a readable PNG"));
+        }
+        // Any byte: of names, lengths, pixels and checksums.
+        for k in 0..whole.len() {
+            let mut damaged = whole.clone();
+            damaged[k] ^= 1;
+            refusal(&damaged);
+        }
     }
 }

@@ -52,18 +52,15 @@ fn normal_maps_that_cannot_be_used_are_named_and_leave_nothing_behind() {
         fs::write(&path, bytes).unwrap();
         path
     };
-    let picture = |color: png::ColorType, palette: bool| {
-        let mut file = Vec::new();
-        let mut encoder = png::Encoder::new(&mut file, 1, 1);
-        encoder.set_color(color);
-        if palette {
-            encoder.set_palette(vec![128, 128, 255]);
-        }
-        let black = vec![0; color.samples()];
-        encoder.write_header().unwrap().write_image_data(&black).unwrap();
-        file
-    };
-    let grey = picture(png::ColorType::Grayscale, false);
+    let grey = picture(png::ColorType::Grayscale, &[0]);
+    let blue = picture(png::ColorType::Rgb, &[128, 128, 255]);
+    // Pixels whose own sum is wrong, under a chunk's checksum made anew.
+    let mut sum = blue.clone();
+    let data = sum.windows(4).position(|name| name == b"IDAT").unwrap();
+    let end = data + 4 + usize::from(sum[data - 1]);
+    sum[end - 1] ^= 1;
+    let crc = checksum(&sum[data..end]);
+    sum[end..end + 4].copy_from_slice(&crc.to_be_bytes());
     let mut no_pixels = grey.clone();
     no_pixels[16..24].fill(0);
     for (path, reason) in [
@@ -73,9 +70,12 @@ fn normal_maps_that_cannot_be_used_are_named_and_leave_nothing_behind() {
         (write("text.png", b"not a picture"), "PNG"),
         (write("cut.png", &grey[..40]), "PNG"),
         (write("no-pixels.png", &no_pixels), ""),
-        (write("palette.png", &picture(png::ColorType::Indexed, true)), "palette"),
-        (write("grey.png", &grey), "greyscale"),
-        (write("black.png", &picture(png::ColorType::Rgb, false)), "normal map"),
+        (write("end.png", &blue[..blue.len() - 2]), "PNG"),
+        (write("sum.png", &sum), "PNG"),
+        (write("photo.png", b"\xff\xd8\xff\xe0JFIF"), "JPEG"),
+        (write("grey.png", &grey), "height (bump) map"),
+        (write("bump.png", &picture(png::ColorType::Rgb, &[7; 3])), "height (bump) map"),
+        (write("black.png", &picture(png::ColorType::Rgb, &[1, 9, 12])), "normal map"),
     ] {
         let path = path.to_str().unwrap();
         let line = refusal(&["--normal-map", path, "--quick", "--out", out.to_str().unwrap()]);
@@ -83,6 +83,53 @@ fn normal_maps_that_cannot_be_used_are_named_and_leave_nothing_behind() {
         assert!(line.contains(reason), "{line}");
     }
     assert!(!out.exists(), "the input is checked before anything is made");
+}
+
+/// A PNG of one texel.
+fn picture(color: png::ColorType, texel: &[u8]) -> Vec<u8> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, 1, 1);
+    encoder.set_color(color);
+    encoder.write_header().unwrap().write_image_data(texel).unwrap();
+    file
+}
+
+/// CRC-32 as PNG has it.
+fn checksum(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(!0, |sum, &byte| {
+        (0..8).fold(sum ^ u32::from(byte), |sum, _| {
+            (sum >> 1) ^ if sum & 1 == 1 { 0xedb8_8320 } else { 0 }
+        })
+    })
+}
+
+#[test]
+fn what_a_normal_map_looks_like_is_told_and_its_channels_are_named() {
+    let folder = folder("looks");
+    let map = folder.join("map.png");
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, 4, 1);
+    encoder.set_color(png::ColorType::Rgba);
+    // x in alpha, y in green.
+    let texels: Vec<u8> = (0..4).flat_map(|k| [255, 120 + 9 * k, 255, 140 - 11 * k]).collect();
+    encoder.write_header().unwrap().write_image_data(&texels).unwrap();
+    fs::write(&map, &file).unwrap();
+    let map = map.to_str().unwrap();
+    // The map is looked at first: then the run ends, as a file is in the folder's place.
+    let run = |channels: &str| {
+        let output =
+            report(&["--quick", "--normal-map", map, "--channels", channels, "--out", map]);
+        assert_eq!(output.status.code(), Some(2));
+        String::from_utf8(output.stderr).unwrap()
+    };
+    let said = run("rgb");
+    let mut lines = said.lines();
+    let hint = lines.next().unwrap();
+    assert!(hint.starts_with("warning: --normal-map") && hint.contains("--channels ag"), "{said}");
+    assert!(lines.next().unwrap().starts_with("error: --out"), "{said}");
+    assert_eq!(run("ag").lines().count(), 1);
+    assert!(run("rr").contains("--channels"));
+    assert!(refusal(&["--channels", "ag"]).contains("--normal-map"));
 }
 
 #[test]
@@ -108,7 +155,16 @@ fn help_names_every_option() {
     let output = report(&["--help"]);
     assert!(output.status.success());
     let text = String::from_utf8(output.stdout).unwrap();
-    for option in ["--quick", "--scene", "--light", "--normal-map", "--alpha", "--size", "--out"] {
+    for option in [
+        "--quick",
+        "--scene",
+        "--light",
+        "--normal-map",
+        "--channels",
+        "--alpha",
+        "--size",
+        "--out",
+    ] {
         assert!(text.contains(option), "{option}");
     }
 }

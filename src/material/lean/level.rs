@@ -100,8 +100,9 @@ fn blocks<T>(rows: &[T], width: usize) -> impl Iterator<Item = [&T; 4]> {
 }
 
 impl<R: Real> Finer<'_, R> {
+    /// A texel's moments.
     #[inline]
-    fn at(&self, place: usize) -> SlopeMoments<R> {
+    pub(super) fn at(&self, place: usize) -> SlopeMoments<R> {
         match self {
             Self::Slopes(slopes, origin) => {
                 SlopeMoments::unchecked(minus(slopes[place], *origin), Psd::zero())
@@ -134,17 +135,33 @@ impl<R: Real> Finer<'_, R> {
     }
 
     /// A row of the next level, whatever the size: up to nine texels by their shares.
-    fn merge_row(&self, [width, height]: [usize; 2], row: usize, out: &mut [Stored<R>]) {
-        let (top, down) = shares::<R>(row, height);
+    fn merge_row(&self, size: [usize; 2], row: usize, out: &mut [Stored<R>]) {
         for (column, out) in out.iter_mut().enumerate() {
-            let (left, right) = shares::<R>(column, width);
-            // Where a share is 0, there may be no texel: the first stands for it.
-            let place = |k: usize, shares: &[R; 3]| if shares[k] > R::ZERO { k } else { 0 };
-            let texels: [_; 9] = core::array::from_fn(|k| {
-                self.at((top + place(k / 3, &down)) * width + left + place(k % 3, &right))
-            });
-            *out =
-                stored(&gathered(&texels, &core::array::from_fn(|k| down[k / 3] * right[k % 3])));
+            let Block { places, shares } = Block::of(size, column, row);
+            *out = stored(&gathered(&places.map(|place| self.at(place)), &shares));
+        }
+    }
+}
+
+/// The up to nine texels of a finer level that one of the next covers, and their shares of it.
+pub(super) struct Block<R> {
+    pub(super) places: [usize; 9],
+    pub(super) shares: [R; 9],
+}
+
+impl<R: Real> Block<R> {
+    /// Of the next level's texel in this column and row; `size` is the finer level's.
+    #[inline]
+    pub(super) fn of([width, height]: [usize; 2], column: usize, row: usize) -> Self {
+        let (top, down) = shares::<R>(row, height);
+        let (left, right) = shares::<R>(column, width);
+        // Where a share is 0, there may be no texel: the first stands for it.
+        let place = |k: usize, shares: &[R; 3]| if shares[k] > R::ZERO { k } else { 0 };
+        Self {
+            places: core::array::from_fn(|k| {
+                (top + place(k / 3, &down)) * width + left + place(k % 3, &right)
+            }),
+            shares: core::array::from_fn(|k| down[k / 3] * right[k % 3]),
         }
     }
 }

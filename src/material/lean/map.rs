@@ -4,6 +4,7 @@
 
 use super::level::{Finer, Stored, halved, loaded, minus};
 use super::texel::{Clipped, NormalTexel, SlopeCap};
+use super::weight;
 use crate::error::Error;
 use crate::scalar::{Psd, Real};
 use crate::slope::SlopeMoments;
@@ -29,7 +30,7 @@ pub enum Border {
 /// 4e-4 of the mean is lost.)
 ///
 /// Memory: two numbers a texel of the map and six of each level above it, in all twice the map's slopes (four times of
-/// a map one texel wide).
+/// a map one texel wide). Weights ([`MomentMap::from_weighted_slopes`]) take another number a texel.
 ///
 /// ```
 /// use lobe::material::lean::{Border, MomentMap, SlopeCap};
@@ -51,10 +52,38 @@ pub enum Border {
 pub struct MomentMap<R> {
     size: [usize; 2],
     border: Border,
-    slopes: Vec<[R; 2]>,
+    pub(super) slopes: Vec<[R; 2]>,
     /// What levels' means are relative to: of a map of nearly equal slopes their middle, else 0.
     origin: [R; 2],
-    levels: Vec<Vec<Stored<R>>>,
+    pub(super) levels: Vec<Vec<Stored<R>>>,
+    /// Of each level, the map itself included; none where every texel counts the same.
+    pub(super) weights: Vec<Vec<R>>,
+}
+
+/// Merges a level's rows from the given one on, as many as fit into the slice.
+pub(super) type Rows<'a, R> = &'a (dyn Fn(usize, &mut [Stored<R>]) + Sync);
+
+/// Deals a level's rows to threads; `size` is the finer level's.
+#[cfg(feature = "std")]
+pub(super) fn deal<R: Real>(
+    size: [usize; 2],
+    workers: usize,
+    out: &mut [Stored<R>],
+    rows: Rows<'_, R>,
+) {
+    // A thread costs more than a few thousand merges.
+    const LEAST: usize = 1 << 14;
+    let [columns, count] = halved(size);
+    let workers = workers.min(out.len() / LEAST).max(1);
+    if workers == 1 {
+        return rows(0, out);
+    }
+    let band = count.div_ceil(workers);
+    std::thread::scope(|scope| {
+        for (k, out) in out.chunks_mut(band * columns).enumerate() {
+            scope.spawn(move || rows(k * band, out));
+        }
+    });
 }
 
 impl<R: Real> MomentMap<R> {
@@ -70,7 +99,7 @@ impl<R: Real> MomentMap<R> {
         slopes: Vec<[R; 2]>,
         border: Border,
     ) -> Result<Self, Error> {
-        Self::built(size, slopes, border, |finer, size, out| finer.merge_rows(size, 0, out))
+        Self::built(size, slopes, None, border, |_, out, rows| rows(0, out))
     }
 
     /// The same with the rows of each level dealt to `workers` threads (feature `std`): the result is the same to the
@@ -95,21 +124,7 @@ impl<R: Real> MomentMap<R> {
         border: Border,
         workers: usize,
     ) -> Result<Self, Error> {
-        // A thread costs more than a few thousand merges.
-        const LEAST: usize = 1 << 14;
-        Self::built(size, slopes, border, |finer, size, out| {
-            let [columns, rows] = halved(size);
-            let workers = workers.min(out.len() / LEAST).max(1);
-            let band = rows.div_ceil(workers);
-            if workers == 1 {
-                return finer.merge_rows(size, 0, out);
-            }
-            std::thread::scope(|scope| {
-                for (k, out) in out.chunks_mut(band * columns).enumerate() {
-                    scope.spawn(move || finer.merge_rows(size, k * band, out));
-                }
-            });
-        })
+        Self::built(size, slopes, None, border, |size, out, rows| deal(size, workers, out, rows))
     }
 
     /// The chain over a normal map's texels, by rows, and how many of them the cap touched.
@@ -129,17 +144,21 @@ impl<R: Real> MomentMap<R> {
         Ok((Self::from_slopes(size, slopes, border)?, clipped))
     }
 
-    fn built(
+    /// The chain, by weights if there are any; `deal` gives the rows of a level to the function that merges them, in
+    /// bands of any height, `size` being the finer level's.
+    pub(super) fn built(
         size: [usize; 2],
         slopes: Vec<[R; 2]>,
+        weights: Option<Vec<R>>,
         border: Border,
-        merge: impl Fn(&Finer<'_, R>, [usize; 2], &mut [Stored<R>]),
+        deal: impl Fn([usize; 2], &mut [Stored<R>], Rows<'_, R>),
     ) -> Result<Self, Error> {
         if slopes.is_empty() || size[0].checked_mul(size[1]) != Some(slopes.len()) {
             return Err(Error::MapSize);
         }
         let origin = origin(&slopes)?;
         let mut levels: Vec<Vec<Stored<R>>> = Vec::new();
+        let mut weights: Vec<Vec<R>> = weights.into_iter().collect();
         let mut finer = size;
         while finer != [1, 1] {
             let [width, height] = halved(finer);
@@ -148,11 +167,18 @@ impl<R: Real> MomentMap<R> {
                 None => Finer::Slopes(&slopes, origin),
                 Some(moments) => Finer::Moments(moments),
             };
-            merge(&source, finer, &mut level);
+            match weights.last() {
+                None => deal(finer, &mut level, &|row, out| source.merge_rows(finer, row, out)),
+                Some(weights) => deal(finer, &mut level, &|row, out| {
+                    weight::merge_rows(&source, weights, finer, row, out);
+                }),
+            }
+            let coarser = weights.last().map(|weights| weight::coarser(weights, finer));
+            weights.extend(coarser);
             levels.push(level);
             finer = [width, height];
         }
-        Ok(Self { size, border, slopes, origin, levels })
+        Ok(Self { size, border, slopes, origin, levels, weights })
     }
 
     /// How many levels there are, the map itself included.
@@ -198,7 +224,7 @@ impl<R: Real> MomentMap<R> {
 
     /// Where a texel stands in its level.
     #[inline]
-    fn place(&self, level: usize, column: usize, row: usize) -> usize {
+    pub(super) fn place(&self, level: usize, column: usize, row: usize) -> usize {
         let [width, height] = self.size(level);
         row.min(height - 1) * width + column.min(width - 1)
     }
@@ -248,12 +274,13 @@ impl<R: Real> MomentMap<R> {
         self.slopes.iter().flatten().fold(R::ZERO, |most, x| x.abs().max(most))
     }
 
-    /// Bytes of the slopes and of all levels.
+    /// Bytes of the slopes, of all levels and of weights.
     ///
     /// WGSL: none, maps are built on the CPU.
     pub fn bytes(&self) -> usize {
         core::mem::size_of_val(&self.slopes[..])
             + self.levels.iter().map(|level| core::mem::size_of_val(&level[..])).sum::<usize>()
+            + self.weights.iter().map(|level| core::mem::size_of_val(&level[..])).sum::<usize>()
     }
 }
 

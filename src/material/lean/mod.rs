@@ -41,6 +41,7 @@ mod map;
 mod sample;
 mod storage;
 mod texel;
+mod weight;
 
 pub use height::HeightField;
 pub use map::{Border, MomentMap};

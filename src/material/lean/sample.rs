@@ -13,6 +13,13 @@ const MOST_PROBES: usize = 1024;
 /// 1/sqrt 3.
 const INVERSE_ROOT_THREE: f64 = 0.577_350_269_189_625_8;
 
+/// Four texels, their bilinear shares and their weights.
+struct Corners<R> {
+    texels: [SlopeMoments<R>; 4],
+    shares: [R; 4],
+    weights: [R; 4],
+}
+
 impl<R: Real> MomentMap<R> {
     /// Moments at `uv` of a level: the four texels around, merged by bilinear weights, between-texel term included.
     ///
@@ -30,7 +37,8 @@ impl<R: Real> MomentMap<R> {
     ///
     /// WGSL: none, a sampler interpolates raw moments there: `lobe_slope_moments_from_raw`.
     pub fn bilinear(&self, level: usize, uv: impl Into<[R; 2]>) -> SlopeMoments<R> {
-        let (texels, shares) = self.corners(level, uv.into());
+        let Corners { texels, shares, weights } = self.corners(level, uv.into());
+        let (shares, _) = self.by_weight(shares, |k| weights[k]);
         self.absolute(gathered(&texels, &shares))
     }
 
@@ -50,7 +58,7 @@ impl<R: Real> MomentMap<R> {
     /// WGSL: none, a sampler does it there.
     pub fn trilinear(&self, uv: impl Into<[R; 2]>, lod: R) -> SlopeMoments<R> {
         let (level, share) = self.levels_around(lod);
-        self.absolute(self.between_levels(uv.into(), level, share))
+        self.absolute(self.between_levels(uv.into(), level, share).0)
     }
 
     /// The level below a level of detail, and how far it is to the next, in [0, 1).
@@ -61,18 +69,22 @@ impl<R: Real> MomentMap<R> {
         (usize::try_from(level).unwrap_or_default(), share)
     }
 
-    /// A level and the next by its share; the mean is relative to the map's origin.
-    fn between_levels(&self, uv: [R; 2], level: usize, share: R) -> SlopeMoments<R> {
-        let (fine, near) = self.corners(level, uv);
+    /// A level and the next by its share; the mean is relative to the map's origin. Their weight, too.
+    fn between_levels(&self, uv: [R; 2], level: usize, share: R) -> (SlopeMoments<R>, R) {
+        let fine = self.corners(level, uv);
         if share == R::ZERO {
-            return gathered(&fine, &near);
+            let (shares, weight) = self.by_weight(fine.shares, |k| fine.weights[k]);
+            return (gathered(&fine.texels, &shares), weight);
         }
-        let (coarse, far) = self.corners(level + 1, uv);
-        let (near, far) = (near.map(|w| w * (R::ONE - share)), far.map(|w| w * share));
-        gathered::<R, 8>(
-            &core::array::from_fn(|k| if k < 4 { fine[k] } else { coarse[k - 4] }),
-            &core::array::from_fn(|k| if k < 4 { near[k] } else { far[k - 4] }),
-        )
+        let coarse = self.corners(level + 1, uv);
+        let of = |k: usize| if k < 4 { (&fine, k) } else { (&coarse, k - 4) };
+        let shares: [R; 8] = core::array::from_fn(|k| {
+            let (corners, at) = of(k);
+            corners.shares[at] * if k < 4 { R::ONE - share } else { share }
+        });
+        let texels: [_; 8] = core::array::from_fn(|k| of(k).0.texels[of(k).1]);
+        let (shares, weight) = self.by_weight(shares, |k| of(k).0.weights[of(k).1]);
+        (gathered(&texels, &shares), weight)
     }
 
     /// Moments of a footprint: its centre and the steps `du`, `dv` of its sides in uv, a pixel apart.
@@ -130,25 +142,35 @@ impl<R: Real> MomentMap<R> {
             let t = (R::lit(k as f64) - R::HALF * (n - R::ONE)) * reach;
             self.between_levels([u + t * side[0], v + t * side[1]], level, share)
         };
-        let relative = (1..count).fold(at(0), |sum, k| {
-            let share = R::ONE / R::lit((k + 1) as f64);
-            sum.shared(R::ONE - share, &at(k), share)
-        });
-        self.absolute(relative)
+        let (mut sum, mut total) = at(0);
+        for k in 1..count {
+            let (probe, weight) = at(k);
+            // Probes without weight count among themselves alone.
+            let (own, all) = if total + weight > R::ZERO {
+                (weight, total + weight)
+            } else {
+                (R::ONE, R::lit((k + 1) as f64))
+            };
+            let share = own / all;
+            sum = sum.shared(R::ONE - share, &probe, share);
+            total = total + weight;
+        }
+        self.absolute(sum)
     }
 
-    /// The four texels around a point of a level, and their bilinear shares.
+    /// The four texels around a point of a level.
     #[inline]
-    fn corners(&self, level: usize, [u, v]: [R; 2]) -> ([SlopeMoments<R>; 4], [R; 4]) {
+    fn corners(&self, level: usize, [u, v]: [R; 2]) -> Corners<R> {
         let [width, height] = self.size(level);
         let ([left, right], x) = self.around(u, width);
         let ([above, below], y) = self.around(v, height);
-        let texel = |column, row| self.relative(level, column, row);
+        let places = [[left, above], [right, above], [left, below], [right, below]];
         let (p, q) = (R::ONE - x, R::ONE - y);
-        (
-            [texel(left, above), texel(right, above), texel(left, below), texel(right, below)],
-            [p * q, x * q, p * y, x * y],
-        )
+        Corners {
+            texels: places.map(|[column, row]| self.relative(level, column, row)),
+            shares: [p * q, x * q, p * y, x * y],
+            weights: places.map(|[column, row]| self.weight(level, column, row)),
+        }
     }
 
     /// The two texels around a coordinate along one axis, and the share of the second.

@@ -71,24 +71,42 @@ pub(crate) fn interlaced(texels: &[[u8; 3]]) -> Vec<u8> {
             data.extend(line.flat_map(|column| texels[row * width + column]));
         }
     }
-    // One stored block of zlib, and its Adler-32.
+    assembled(SIZE, ColorType::Rgb, BitDepth::Eight, true, &[(b"IDAT", zlib(&data))])
+}
+
+/// Bytes as one stored block of zlib, and their Adler-32 sum.
+pub(crate) fn zlib(data: &[u8]) -> Vec<u8> {
     let length = u16::try_from(data.len()).expect("a small picture");
     let (a, b) = data.iter().fold((1, 0), |(a, b), &byte| {
         let a = (a + u32::from(byte)) % 65521;
         (a, (b + a) % 65521)
     });
     let [low, high] = length.to_le_bytes();
-    let mut zlib = vec![0x78, 1, 1, low, high, !low, !high];
-    zlib.extend(data);
-    zlib.extend((b << 16 | a).to_be_bytes());
+    let head = [0x78, 1, 1, low, high, !low, !high];
+    [&head[..], data, &(b << 16 | a).to_be_bytes()].concat()
+}
 
-    let mut header = rgb(texels)[16..29].to_vec();
-    header[12] = 1;
-    let chunks: [(&[u8], &[u8]); 3] = [(b"IHDR", &header), (b"IDAT", &zlib), (b"IEND", &[])];
-    let chunk = |(name, data): (&[u8], &[u8])| {
+/// Rows as PNG filters none of them: each after a zero.
+pub(crate) fn filtered(data: &[u8], height: u32) -> Vec<u8> {
+    let rows = data.chunks_exact(data.len() / height as usize);
+    rows.flat_map(|row| [&[0], row].concat()).collect()
+}
+
+/// A PNG of these chunks, between its header and its end.
+pub(crate) fn assembled(
+    [width, height]: [u32; 2],
+    color: ColorType,
+    depth: BitDepth,
+    interlaced: bool,
+    chunks: &[(&[u8; 4], Vec<u8>)],
+) -> Vec<u8> {
+    let kind = [depth as u8, color as u8, 0, 0, u8::from(interlaced)];
+    let header = [&width.to_be_bytes()[..], &height.to_be_bytes(), &kind].concat();
+    let chunk = |name: &[u8; 4], data: &[u8]| {
         let body = [name, data].concat();
         let length = (data.len() as u32).to_be_bytes();
         [&length[..], &body, &checksum(&body).to_be_bytes()].concat()
     };
-    [b"\x89PNG\r\n\x1a\n".to_vec(), chunks.map(chunk).concat()].concat()
+    let middle: Vec<u8> = chunks.iter().flat_map(|(name, data)| chunk(name, data)).collect();
+    [&b"\x89PNG\r\n\x1a\n"[..], &chunk(b"IHDR", &header), &middle, &chunk(b"IEND", &[])].concat()
 }

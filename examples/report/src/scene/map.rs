@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::channels::Channels;
 use crate::texture::Texture;
 
 /// A decoded normal map with the name it goes by.
@@ -37,7 +38,8 @@ pub(crate) fn combed_map() -> Result<NormalMap, String> {
 }
 
 fn decode(&(name, file): &(&str, &[u8])) -> Result<NormalMap, String> {
-    let texture = Texture::decode(file).map_err(|error| format!("carried {name}: {error}"))?;
+    let decoded = Texture::decode(file, Channels::RGB);
+    let texture = decoded.map_err(|error| format!("carried {name}: {error}"))?.texture;
     Ok(NormalMap { name: name.into(), texture: Arc::new(texture) })
 }
 

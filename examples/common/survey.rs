@@ -1,0 +1,239 @@
+//! What a picture's texels look like: a normal map in the channels that are read, or something else.
+//!
+//! Values are counted, never judged one by one: a line is said of what holds for the whole picture.
+
+use super::channels::{ALPHA, Channels, place};
+use super::picture::Texel;
+
+/// A number of a texel.
+pub(crate) trait Channel: Copy + Into<i64> + Into<f64> {
+    /// The number for 1.
+    const LARGEST: Self;
+    /// The `k`-th number of a texel's bytes.
+    fn at(texel: &[u8], k: usize) -> Self;
+}
+
+impl Channel for u8 {
+    const LARGEST: Self = Self::MAX;
+    #[inline]
+    fn at(texel: &[u8], k: usize) -> Self {
+        texel[k]
+    }
+}
+
+impl Channel for u16 {
+    const LARGEST: Self = Self::MAX;
+    #[inline]
+    fn at(texel: &[u8], k: usize) -> Self {
+        Self::from_be_bytes([texel[2 * k], texel[2 * k + 1]])
+    }
+}
+
+/// Counts over a picture's texels.
+#[derive(Clone, Debug)]
+pub(crate) struct Survey {
+    channels: Channels,
+    has_alpha: bool,
+    /// The number for 1.
+    largest: i64,
+    /// Texels that count: with coverage only the covered ones.
+    counted: usize,
+    /// Texels of an alpha between 0 and 1.
+    partly_clear: usize,
+    /// The least and the largest number of red, green, blue and alpha.
+    low: [i64; 4],
+    high: [i64; 4],
+    /// The largest difference between a texel's red, green and blue.
+    colour: i64,
+    /// Texels whose z points up.
+    up: usize,
+    /// The sum of the differences between squared lengths and 1.
+    off: f64,
+    /// Whether alpha is coverage, by the user's word.
+    covered: bool,
+    /// Whether no colour is above its alpha, as in pictures premultiplied by it.
+    below_alpha: bool,
+}
+
+/// How far colours may lie apart in a grey picture that a lossy format has touched, of 1.
+const NEARLY_GREY: f64 = 4.5 / 255.0;
+/// Mean difference between a squared length and 1 above which channels are no unit vectors. Mip levels and compressed
+/// maps stay far below.
+const NO_UNIT_VECTORS: f64 = 0.1;
+
+impl Survey {
+    /// Of no texel yet.
+    pub(crate) fn new(channels: Channels, texel: Texel) -> Self {
+        Self {
+            channels,
+            has_alpha: texel.has_alpha(),
+            largest: if texel.wide { u16::MAX.into() } else { u8::MAX.into() },
+            counted: 0,
+            partly_clear: 0,
+            low: [i64::MAX; 4],
+            high: [i64::MIN; 4],
+            colour: 0,
+            up: 0,
+            off: 0.0,
+            covered: false,
+            below_alpha: true,
+        }
+    }
+
+    /// Adds a band of texels; `covered` leaves out those of alpha 0.
+    pub(crate) fn add(&mut self, bytes: &[u8], texel: Texel, covered: bool) -> Result<(), String> {
+        let mut band = Self::new(self.channels, texel);
+        if texel.wide {
+            band.count::<u16>(bytes, texel, covered)?;
+        } else {
+            band.count::<u8>(bytes, texel, covered)?;
+        }
+        self.join(&band);
+        Ok(())
+    }
+
+    fn count<C: Channel>(
+        &mut self,
+        bytes: &[u8],
+        texel: Texel,
+        covered: bool,
+    ) -> Result<(), String> {
+        let places = self.channels.places(texel)?;
+        self.covered = covered;
+        let three = self.channels.roles().len() == 3;
+        let roles = [0, 1, 2].map(|role| place(role, texel));
+        let largest: i64 = C::LARGEST.into();
+        // A picture without alpha is opaque.
+        let alpha = self.has_alpha.then_some(texel.channels - 1);
+        let (mut low, mut high) = (self.low, self.high);
+        let mut off = 0_i64;
+        for texel in bytes.chunks_exact(texel.bytes()) {
+            let [r, g, b] = roles.map(|k| Into::<i64>::into(C::at(texel, k)));
+            let alpha = alpha.map_or(largest, |k| C::at(texel, k).into());
+            self.partly_clear += usize::from(alpha > 0 && alpha < largest);
+            let most = r.max(g).max(b);
+            self.below_alpha &= most <= alpha;
+            if covered && alpha == 0 {
+                continue;
+            }
+            self.counted += 1;
+            for (k, value) in [r, g, b, alpha].into_iter().enumerate() {
+                low[k] = low[k].min(value);
+                high[k] = high[k].max(value);
+            }
+            self.colour = self.colour.max(most - r.min(g).min(b));
+            let signed = |k: usize| 2 * Into::<i64>::into(C::at(texel, k)) - largest;
+            let [x, y, z] = places.map(signed);
+            let rest = largest * largest - x * x - y * y;
+            if three {
+                self.up += usize::from(z > 0);
+                off += (rest - z * z).abs();
+            } else {
+                self.up += usize::from(rest > 0);
+            }
+        }
+        (self.low, self.high) = (low, high);
+        self.off += off as f64 / (largest * largest) as f64;
+        Ok(())
+    }
+
+    /// Takes the counts of another band of the picture in.
+    pub(crate) fn join(&mut self, other: &Self) {
+        self.counted += other.counted;
+        self.partly_clear += other.partly_clear;
+        for k in 0..4 {
+            self.low[k] = self.low[k].min(other.low[k]);
+            self.high[k] = self.high[k].max(other.high[k]);
+        }
+        self.colour = self.colour.max(other.colour);
+        self.up += other.up;
+        self.off += other.off;
+        self.covered |= other.covered;
+        self.below_alpha &= other.below_alpha;
+    }
+
+    /// Whether red, green, blue or alpha, 0 to 3, is not one number everywhere.
+    fn varies(&self, role: usize) -> bool {
+        self.high[role] > self.low[role]
+    }
+
+    /// Whether red, green and blue are equal in every texel, or as good as equal.
+    pub(crate) fn is_grey(&self) -> bool {
+        self.colour as f64 <= NEARLY_GREY * self.largest as f64
+    }
+
+    /// Why the texels are no normals, if they are none; `heights` says who reads heights.
+    pub(crate) fn refusal(&self, heights: &str) -> Option<String> {
+        if self.counted == 0 {
+            return Some("alpha is 0 in every texel".to_owned());
+        }
+        if self.is_grey() && !self.channels.use_alpha() {
+            let equal = if self.colour == 0 { "equal" } else { "nearly equal" };
+            let mut line = format!(
+                "looks like a height (bump) map, not a normal map: red, green and blue are {equal} in every texel{heights}"
+            );
+            if self.varies(ALPHA) {
+                line += "; --channels ag reads x from alpha and y from green";
+            }
+            return Some(line);
+        }
+        if 2 * self.up > self.counted {
+            return None;
+        }
+        let line = "not a tangent-space normal map (most texels do not point up)";
+        Some(self.layout().map_or(line.to_owned(), |layout| format!("{line}; it {layout}")))
+    }
+
+    /// What else the texels look like: for the user to decide.
+    pub(crate) fn hints(&self) -> Vec<String> {
+        let mut hints: Vec<_> = self.layout().map(str::to_owned).into_iter().collect();
+        let straight = !self.below_alpha || self.partly_clear == 0 || self.channels.use_alpha();
+        if hints.is_empty() && self.has_alpha && !straight {
+            hints.push(
+                "looks premultiplied by alpha (no colour is above its alpha), which bends normals: \
+                 save it with straight alpha"
+                    .to_owned(),
+            );
+        }
+        hints
+    }
+
+    /// The layout of two channels that the texels look like, if it is not the one that is read.
+    ///
+    /// A constant blue is no z of varying normals, and constant x or y beside channels that vary are not the ones
+    /// meant. A constant blue that unit length asks for (of nearly flat maps) is none, unless alpha varies.
+    fn layout(&self) -> Option<&'static str> {
+        const AG: &str = "looks like x in alpha and y in green (DXT5nm): --channels ag reads it so";
+        const RA: &str = "looks like two channels in red and alpha: --channels ra or ar reads them";
+        const RG: &str = "looks like x in red and y in green (BC5): --channels rg reads it so";
+        const ANY: &str = "looks like two channels without z: --channels rg reads x and y from red and green, \
+                           ag from alpha and green";
+        let [r, g, b, a] = [0, 1, 2, ALPHA].map(|role| self.varies(role));
+        let a = a && !self.covered;
+        if self.channels != Channels::RGB {
+            // A pair of which one is at an end everywhere, beside another that varies.
+            let at_an_end = self
+                .channels
+                .roles()
+                .iter()
+                .any(|&role| !self.varies(role) && [0, self.largest].contains(&self.low[role]));
+            return match (at_an_end, r, g, a) {
+                (true, false, true, true) => Some(AG),
+                (true, true, false, true) => Some(RA),
+                (true, true, true, false) => Some(RG),
+                _ => None,
+            };
+        }
+        let off =
+            self.off > NO_UNIT_VECTORS * self.counted as f64 || 2 * self.high[2] <= self.largest;
+        match (r, g, b, a) {
+            (true, true, false, true) => Some(ANY),
+            (false, true, false, true) => Some(AG),
+            (true, false, false, true) => Some(RA),
+            (false, true, true, true) if off => Some(AG),
+            (true, false, true, true) if off => Some(RA),
+            (true, true, false, false) if off => Some(RG),
+            _ => None,
+        }
+    }
+}
