@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example validate -- [DIR] [--json]`. Every CSV in DIR (default: the
 //! golden tables) names a quantity by its stem. Exit status: 0 within budget, 1 if a table exceeds
-//! its budget (tests/budget.rs), 2 if a table cannot be read.
+//! its budget (tests/budget.rs), 2 if a table cannot be read. `--help` says what f32 is judged by where inputs are no f32.
 
 #[path = "../tests/budget.rs"]
 mod budget;
@@ -12,18 +12,26 @@ mod tables;
 use clap::Parser;
 use serde::Serialize;
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use tables::{Outcome, evaluate, read_directory};
+use tables::{Outcome, Quantity, Table, evaluate, read_directory};
 
 /// Check the library against tables of exact values, in f32 and in f64.
 #[derive(Parser)]
 #[command(after_help = "Exit status: 0 within budget, 1 over budget, 2 unreadable tables.\n\
-    Relative errors are over the largest expected value of a row, or the smallest normal number.")]
+    Relative errors are over the largest expected value of a row, or the smallest normal number.\n\
+    \n\
+    Tables: numbers are decimal or, as in C99, hexadecimal (0x1.8p-3); columns are separated by commas and\n\
+    come in any order; blank lines and lines that begin with # are skipped. Files that do not end in .csv\n\
+    are named and ignored.\n\
+    \n\
+    Inputs that no f32 holds, as 0.1: f32 is judged at the nearest f32s, and the expected value is moved\n\
+    there by the library in f64, expected + f64(nearest) - f64(given). f64 is judged by the expected value\n\
+    as it stands. The output counts these rows (rounded) and names the first. Rows whose nearest f32s the\n\
+    library refuses are left out of f32 and counted.")]
 struct Options {
-    /// Directory of CSV tables, one quantity each, named by the file's stem.
-    #[arg(default_value = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden"))]
-    directory: PathBuf,
+    /// Directory of CSV tables, one quantity each, named by the file's stem [default: the golden tables].
+    directory: Option<PathBuf>,
     /// Print a JSON array, one object per table and precision.
     #[arg(long)]
     json: bool,
@@ -40,44 +48,85 @@ struct Line<'a> {
     max_ulp: f64,
     worst_row: usize,
     bad: usize,
+    /// Rows with inputs that the precision does not hold.
+    rounded: usize,
+    /// The first of them, counted from 1 below the header.
+    first_rounded: Option<usize>,
+    /// Those among them whose rounded inputs the library refuses.
+    left_out: usize,
     #[serde(skip)]
     over: Option<String>,
+    #[serde(skip)]
+    note: Option<String>,
 }
 
 impl<'a> Line<'a> {
-    fn new(table: &'a str, single: bool, outcome: &Outcome) -> Self {
+    fn new(source: &'a Table, quantity: &Quantity, single: bool, outcome: &Outcome) -> Self {
         let precision = if single { "f32" } else { "f64" };
-        let &Outcome { rows, max_rel, p99_rel, max_ulp, worst_row, bad } = outcome;
+        let table = source.stem.as_str();
+        let &Outcome { rows, max_rel, p99_rel, max_ulp, worst_row, bad, rounded } = outcome;
         // A quantity without a budget would pass whatever it returns.
         let broken = budget::budget_of(table, single).map_or_else(
             || Some("no budget in tests/budget.rs".to_owned()),
             |budget| budget.broken_by(max_rel, p99_rel, bad),
         );
         let over = broken.map(|reason| format!("{table} {precision}: {reason}"));
-        Self { table, precision, rows, max_rel, p99_rel, max_ulp, worst_row, bad, over }
+        let note = rounded.first.map(|[row, column]| {
+            let (name, value) = (quantity.inputs[column], source.rows[row][column]);
+            let (count, of, line) = (rounded.rows, source.rows.len(), source.lines[row]);
+            let left_out = match rounded.refused {
+                0 => String::new(),
+                refused => format!("; {refused} left out, whose nearest {precision}s are no valid inputs"),
+            };
+            format!(
+                "{table} {precision}: {count} of {of} rows have inputs that no {precision} holds and are judged at the \
+                 nearest ones, the first in line {line}, `{name}` {value:?}{left_out}"
+            )
+        });
+        Self {
+            table,
+            precision,
+            rows,
+            max_rel,
+            p99_rel,
+            max_ulp,
+            worst_row,
+            bad,
+            rounded: rounded.rows,
+            first_rounded: rounded.first.map(|[row, _]| row + 1),
+            left_out: rounded.refused,
+            over,
+            note,
+        }
     }
 }
 
 fn print_lines(lines: &[Line], out: &mut impl Write) -> std::io::Result<()> {
     writeln!(
         out,
-        "{:25} {:>4} {:>6} {:>9} {:>9} {:>9} {:>6} {:>4}",
-        "table", "", "rows", "max rel", "99 % rel", "max ulp", "worst", "bad"
+        "{:25} {:>4} {:>6} {:>9} {:>9} {:>9} {:>6} {:>4} {:>7}",
+        "table", "", "rows", "max rel", "99 % rel", "max ulp", "worst", "bad", "rounded"
     )?;
     for line in lines {
+        let ulp = line.max_ulp;
+        let ulp = if ulp < 1e5 { format!("{ulp:.3}") } else { format!("{ulp:.1e}") };
         writeln!(
             out,
-            "{:25} {:>4} {:>6} {:>9.1e} {:>9.1e} {:>9.3} {:>6} {:>4}{}",
+            "{:25} {:>4} {:>6} {:>9.1e} {:>9.1e} {:>9} {:>6} {:>4} {:>7}{}",
             line.table,
             line.precision,
             line.rows,
             line.max_rel,
             line.p99_rel,
-            line.max_ulp,
+            ulp,
             line.worst_row,
             line.bad,
+            line.rounded,
             if line.over.is_some() { "  over budget" } else { "" }
         )?;
+    }
+    for note in lines.iter().filter_map(|line| line.note.as_deref()) {
+        writeln!(out, "{note}")?;
     }
     let over: Vec<&str> = lines.iter().filter_map(|line| line.over.as_deref()).collect();
     if over.is_empty() {
@@ -88,11 +137,20 @@ fn print_lines(lines: &[Line], out: &mut impl Write) -> std::io::Result<()> {
 }
 
 fn run(options: &Options) -> Result<bool, String> {
-    let tables = read_directory(&options.directory)?;
+    let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
+    let directory = options.directory.as_deref();
+    let found = read_directory(directory.unwrap_or(&golden))?;
     let mut lines = Vec::new();
-    for (table, quantity) in &tables {
-        lines.push(Line::new(&table.stem, true, &evaluate::<f32>(table, quantity)?));
-        lines.push(Line::new(&table.stem, false, &evaluate::<f64>(table, quantity)?));
+    for (table, quantity) in &found.tables {
+        lines.push(Line::new(table, quantity, true, &evaluate::<f32>(table, quantity)?));
+        lines.push(Line::new(table, quantity, false, &evaluate::<f64>(table, quantity)?));
+    }
+    // The generator of the golden tables lies among them.
+    if directory.is_some() && !found.ignored.is_empty() {
+        eprintln!(
+            "validate: ignored, as their names do not end in .csv: {}",
+            found.ignored.join(", ")
+        );
     }
     let mut out = std::io::stdout().lock();
     let written = if options.json {

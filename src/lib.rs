@@ -68,6 +68,7 @@
 //! | $c(w)$ | $w_z - \mu \cdot w_{xy}$, area of the mean plane seen from $w$ | area |
 //! | $\Lambda$, `lambda` | $\sigma/c - 1$ (Smith) | 1 |
 //! | `u`, `v` | derivatives of the slope, a footprint's sides | slope / pixel |
+//! | `tile` | whole part of texture coordinates, to be added to `uv`; 0 of plain ones (glints) | texture |
 //! | `uv`, `right`, `up` | texture coordinates of a pixel, and their change to the next ones | texture; texture / pixel |
 //! | $M$ | Chermain's matrix: slopes from those of a dictionary | slope |
 //! | $A_g = A_m + A_l$ | roughness from afar, spread of details, one detail (glints) | slope squared |

@@ -296,6 +296,7 @@ items! {
     BiscaleOver: fn "biscale_over", "Biscale::over";
     MaterialGlintBiscale: file "material_glint_biscale";
     CellAt: fn "cell_at", "Cell::at";
+    CellAtWide: fn "cell_at_wide", "Cell::at";
     CellJitter: fn "cell_jitter", "Cell::jitter";
     CellSize: fn "cell_size", "Cell::size";
     CellTurn: fn "cell_turn", "Cell::turn";
@@ -304,6 +305,9 @@ items! {
     MaterialGlintCell: file "material_glint_cell";
     HueWheel: fn "hue_wheel", "hue_wheel";
     MaterialGlintColour: file "material_glint_colour";
+    MaterialGlintTile: file "material_glint_tile";
+    PatchNew: fn "patch_new", "Patch::new";
+    PatchInTile: fn "patch_in_tile", "Patch::in_tile";
     PatchExtents: fn "patch_extents", "Patch::extents";
     PatchArea: fn "patch_area", "Patch::area";
     PatchWidth: fn "patch_width", "Patch::width";
@@ -360,5 +364,6 @@ items! {
     PatchLobeEvaluate: fn "patch_lobe_evaluate", "MultiLobeShading::evaluate";
     ShadeMultilobe: file "shade_multilobe";
     FragmentPatch: fn "fragment_patch";
+    FragmentPatchInTile: fn "fragment_patch_in_tile";
     FragmentGlints: file "fragment_glints";
 }

@@ -106,6 +106,8 @@ modules! {
     #[cfg(feature = "glint")]
     "material/glint/colour",
     #[cfg(feature = "glint")]
+    "material/glint/tile",
+    #[cfg(feature = "glint")]
     "material/glint/patch",
     #[cfg(feature = "glint")]
     "material/glint/level",

@@ -34,7 +34,7 @@ fn patch(source: &mut Source) -> Patch<f64> {
         1 => f64::from(source.pick(9) as i32 - 4) * 0.125,
         _ => source.uniform(-2.0, 2.0),
     });
-    Patch { uv, right, up }
+    Patch::new(uv, right, up)
 }
 
 fn stretch(source: &mut Source) -> [f64; 2] {
@@ -97,7 +97,7 @@ fn cells_stand_next_to_the_pixel() {
         let (uv, right, up) = (scaled(patch.uv), scaled(patch.right), scaled(patch.up));
         for Covered { index, exponent, .. } in cells(&grid) {
             let size = f64::powi(2.0, exponent);
-            let offset = Vector2::from(index.map(f64::from)) * size - uv;
+            let offset = Vector2::from(index.map(|i| i as f64)) * size - uv;
             // In the parallelogram's own coordinates, grown by two cells each way.
             let reach = [0, 1].map(|k| 0.5 * (right[k].abs() + up[k].abs()) + 2.0 * size);
             let inside = offset[0].abs() <= reach[0] && offset[1].abs() <= reach[1];
@@ -120,7 +120,7 @@ fn cells_stand_next_to_the_pixel() {
 }
 
 /// Shares by place: cells of two levels at one place are one.
-fn shares(grid: &Grid<f64>) -> HashMap<([i32; 2], i32), f64> {
+fn shares(grid: &Grid<f64>) -> HashMap<([i64; 2], i32), f64> {
     cells(grid).into_iter().map(|cell| ((cell.index, cell.exponent), cell.share)).collect()
 }
 
@@ -136,6 +136,7 @@ fn shares_change_as_little_as_the_pixel() {
             uv: here.uv.map(|x| x + step * f64::powi(2.0, grid.exponent())),
             right: here.right.map(&mut nudge),
             up: here.up.map(&mut nudge),
+            ..here
         };
         let moved = Grid::stretched(&there, factors, 1e-9);
         let (one, other) = (shares(&grid), shares(&moved));

@@ -202,7 +202,7 @@ fn laws(
         visit(&patch(k), &mut |cell| {
             let deviation = cell.share / (density * f64::powi(4.0, cell.exponent) * p).sqrt();
             apart += deviation * deviation;
-            let place = cell.index.map(|i| f64::from(i) * f64::powi(2.0, cell.exponent));
+            let place = cell.index.map(|i| i as f64 * f64::powi(2.0, cell.exponent));
             *places.entry(place.map(f64::to_bits)).or_insert(0.0) += deviation;
         });
         sums[0] += apart;

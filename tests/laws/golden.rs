@@ -1,7 +1,7 @@
 //! The golden tables: the library against exact values, in both precisions, within tests/budget.rs.
 
 use crate::budget::{BUDGETS, budget_of};
-use crate::tables::{Deviation, Outcome, Quantity, Table, evaluate, read_directory};
+use crate::tables::{Deviation, Outcome, Quantity, Rounded, Table, evaluate, read_directory};
 use lobe::Real;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -9,7 +9,28 @@ use std::path::Path;
 /// Every table that lies in tests/golden, with its quantity.
 fn golden_tables() -> Vec<(Table, &'static Quantity)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
-    read_directory(&folder).unwrap_or_else(|message| panic!("{message}"))
+    read_directory(&folder).unwrap_or_else(|message| panic!("{message}")).tables
+}
+
+/// What these rows say.
+fn outcome_of(rows: &[Deviation]) -> Option<Outcome> {
+    let rows: Vec<_> = rows.iter().copied().enumerate().collect();
+    Outcome::of(&rows, Rounded::default())
+}
+
+/// So that f32 is judged by exact values, nowhere by the library in f64.
+#[test]
+fn every_input_is_exactly_f32() {
+    for (table, quantity) in golden_tables() {
+        let Rounded { rows, first, refused } = evaluate::<f32>(&table, quantity).unwrap().rounded;
+        assert_eq!((rows, first, refused), (0, None, 0), "{}", table.stem);
+    }
+}
+
+#[test]
+fn only_their_generators_lie_beside_the_tables() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
+    assert_eq!(read_directory(&folder).unwrap().ignored, ["fit.py", "generate.py"]);
 }
 
 fn precision<R: Real>() -> &'static str {
@@ -105,11 +126,11 @@ fn one_wrong_row_in_a_hundred_passes_the_percentile_and_two_do_not() {
     let wrong = Deviation::of(&[1.5_f64], &[1.0], false);
     let mut rows = vec![right; 100];
     rows[41] = wrong;
-    let Outcome { rows: count, max_rel, p99_rel, worst_row, .. } = Outcome::of(&rows).unwrap();
+    let Outcome { rows: count, max_rel, p99_rel, worst_row, .. } = outcome_of(&rows).unwrap();
     assert_eq!((count, max_rel, p99_rel, worst_row), (100, 0.5, 0.0, 42));
     rows[7] = wrong;
-    assert_eq!(Outcome::of(&rows).unwrap().p99_rel, 0.5);
-    assert!(Outcome::of(&[]).is_none());
+    assert_eq!(outcome_of(&rows).unwrap().p99_rel, 0.5);
+    assert!(outcome_of(&[]).is_none());
 }
 
 fn assert_last_place_is_counted<R: Real>() {
@@ -117,7 +138,7 @@ fn assert_last_place_is_counted<R: Real>() {
     for (got, expected) in [(next, 1.0), (R::TWO * next, 2.0), (R::HALF * next, 0.5)] {
         let right = Deviation::of(&[R::lit(expected)], &[expected], false);
         let wrong = Deviation::of(&[got], &[expected], false);
-        assert_eq!(Outcome::of(&[right, wrong, right]).unwrap().max_ulp, 1.0, "{got:?}");
+        assert_eq!(outcome_of(&[right, wrong, right]).unwrap().max_ulp, 1.0, "{got:?}");
     }
 }
 
@@ -145,7 +166,7 @@ fn assert_bad_results_are_counted<R: Real>() {
         let finite = got.iter().all(|x| x.to_f64().is_finite());
         assert!(finite || row.relative == f64::MAX, "{got:?}: {}", row.relative);
         let good = Deviation::of(&[one], &[1.0], signed);
-        let outcome = Outcome::of(&[good, row, good]).unwrap();
+        let outcome = outcome_of(&[good, row, good]).unwrap();
         assert_eq!(outcome.bad, usize::from(bad), "{got:?}, signed {signed}");
         // The smallest normal number below zero is within every error: only the count refuses it.
         let broken = BUDGETS[0].1.broken_by(0.0, 0.0, outcome.bad);

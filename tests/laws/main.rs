@@ -65,4 +65,5 @@ mod rotation;
 mod scalar;
 mod shade;
 mod storage;
+mod tiles;
 mod weights;

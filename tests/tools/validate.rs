@@ -3,6 +3,7 @@
 use crate::program::ROOT;
 use serde_json::Value;
 use std::collections::BTreeSet;
+use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -71,7 +72,7 @@ fn shipped_tables_are_listed_twice_each_and_within_budget() {
 }
 
 #[test]
-fn json_has_one_object_of_eight_keys_per_table_and_precision() {
+fn json_has_one_object_per_table_and_precision() {
     let output = validate(&["--json"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let value: Value = serde_json::from_slice(&output.stdout).expect("JSON");
@@ -79,14 +80,28 @@ fn json_has_one_object_of_eight_keys_per_table_and_precision() {
     for line in value.as_array().expect("an array") {
         let keys: Vec<&str> =
             line.as_object().expect("an object").keys().map(String::as_str).collect();
-        let mut wanted =
-            ["table", "precision", "rows", "max_rel", "p99_rel", "max_ulp", "worst_row", "bad"];
+        let mut wanted = [
+            "table",
+            "precision",
+            "rows",
+            "max_rel",
+            "p99_rel",
+            "max_ulp",
+            "worst_row",
+            "bad",
+            "rounded",
+            "first_rounded",
+            "left_out",
+        ];
         wanted.sort_unstable();
         assert_eq!(BTreeSet::from_iter(keys), BTreeSet::from(wanted), "{line}");
         let rows = line["rows"].as_u64().expect("a count");
         let worst_row = line["worst_row"].as_u64().expect("a row");
         assert!(1 <= worst_row && worst_row <= rows, "{line}");
-        assert_eq!(line["bad"].as_u64(), Some(0), "{line}");
+        for none in ["bad", "rounded", "left_out"] {
+            assert_eq!(line[none].as_u64(), Some(0), "{line}");
+        }
+        assert!(line["first_rounded"].is_null(), "{line}");
         for error in ["max_rel", "p99_rel", "max_ulp"] {
             assert!(line[error].as_f64().is_some_and(|error| error >= 0.0), "{line}");
         }
@@ -138,35 +153,226 @@ fn assert_refused(folder: &Path, names: &[&str]) {
 #[test]
 fn a_missing_or_empty_folder_is_named() {
     let folder = folder("folders");
-    assert_refused(&folder, &[folder.to_str().unwrap(), "no CSV"]);
+    assert_refused(&folder, &[folder.to_str().unwrap(), "no CSV", "empty"]);
     let missing = folder.join("missing");
     assert_refused(&missing, &[missing.to_str().unwrap()]);
-    fs::write(folder.join("notes.txt"), "not a table").unwrap();
-    assert_refused(&folder, &[folder.to_str().unwrap(), "no CSV"]);
+    let notes = folder.join("notes.txt");
+    fs::write(&notes, "not a table").unwrap();
+    assert_refused(&folder, &[folder.to_str().unwrap(), "no CSV", "only notes.txt"]);
+    assert_refused(&notes, &[notes.to_str().unwrap(), "a file, not a directory"]);
+    fs::create_dir(folder.join("chermain_m.csv")).unwrap();
+    assert_refused(&folder, &["no CSV", "2 other files", "chermain_m.csv/"]);
 }
+
+const HEADER: &str = "sigma_x,sigma_y,rho,sigma_o,m_11,m_12,m_21,m_22";
 
 #[test]
 fn a_table_that_cannot_be_read_is_named_with_its_mistake() {
-    const HEADER: &str = "sigma_x,sigma_y,rho,sigma_o,m_11,m_12,m_21,m_22";
     let without = HEADER.replace("rho,", "");
     let twice = HEADER.replace("rho", "sigma_x");
+    let long = "9".repeat(99) + "x";
     for (stem, text, names) in [
         ("no_such_quantity", HEADER.to_owned(), ["no_such_quantity", "stem"].as_slice()),
         ("chermain_m", String::new(), &["empty"]),
+        ("chermain_m", "\n\n# nothing\n".into(), &["empty"]),
         ("chermain_m", format!("{HEADER}\n"), &["no rows"]),
         ("chermain_m", format!("{without}\n1,1,1,1,0,0,1\n"), &["missing", "`rho`"]),
         ("chermain_m", format!("{HEADER},extra\n1,1,0,1,1,0,0,1,9\n"), &["unknown", "`extra`"]),
         ("chermain_m", format!("{twice}\n1,1,0,1,1,0,0,1\n"), &["`sigma_x`", "twice"]),
-        ("chermain_m", format!("{HEADER}\n1,1,zero,1,1,0,0,1\n"), &["row 1", "`rho`", "`zero`"]),
-        ("chermain_m", format!("{HEADER}\n1,1,0,1,NaN,0,0,1\n"), &["row 1", "`m_11`", "`NaN`"]),
-        ("chermain_m", format!("{HEADER}\n1,1,0\n"), &["3 fields"]),
-        ("chermain_m", format!("{HEADER}\n1,1,2,1,1,0,0,1\n"), &["row 1"]),
+        (
+            "chermain_m",
+            format!("{HEADER}\n1,1,zero,1,1,0,0,1\n"),
+            &["line 2", "row 1", "`rho`", "`zero`"],
+        ),
+        (
+            "chermain_m",
+            format!("{HEADER}\n1,1,0,1,NaN,0,0,1\n"),
+            &["row 1", "`m_11`", "`NaN`", "finite"],
+        ),
+        ("chermain_m", format!("{HEADER}\n1,1,0\n"), &["line 2", "3 fields", "8"]),
+        ("chermain_m", format!("{HEADER}\n1,1,2,1,1,0,0,1\n"), &["line 2", "row 1"]),
+        // Blank lines and comments count as lines.
+        (
+            "chermain_m",
+            format!("# mine\n\n{HEADER}\n\n  \n# row\n1,1,0,1,1,0,0,inf\n"),
+            &["line 7", "row 1", "`m_22`", "`inf`"],
+        ),
+        (
+            "chermain_m",
+            format!("{HEADER}\r\n1,1,0,1,1,0,0,1\r\n1,1,0,,1,0,0,1\r\n"),
+            &["line 3", "row 2", "`sigma_o`", "``"],
+        ),
+        (
+            "chermain_m",
+            format!("\u{feff}{HEADER}\n1,1,0,1,1e400,0,0,1\n"),
+            &["`m_11`", "`1e400`", "larger than any f64"],
+        ),
+        (
+            "chermain_m",
+            format!("{HEADER}\n1,-1e-400,0,1,1,0,0,1\n"),
+            &["`sigma_y`", "`-1e-400`", "smaller than any f64"],
+        ),
+        (
+            "chermain_m",
+            format!("{HEADER}\n1,1,0,1,0x1.8,0x,0,1\n"),
+            &["`m_12`", "`0x`", "not a number"],
+        ),
+        ("chermain_m", HEADER.replace(',', ";") + "\n1;1;0;1;1;0;0;1\n", &["semicolons"]),
+        ("chermain_m", HEADER.replace(',', "\t") + "\n", &["tabs"]),
+        (
+            "chermain_m",
+            format!("{HEADER}\n1,5,1,5,0,5,1,0,1,0,0,0,0,0,1,0\n"),
+            &["line 2", "16 fields", "decimal point"],
+        ),
+        ("chermain_m", format!("{HEADER}\n\"1,5\",1,0,1,1,0,0,1\n"), &["`sigma_x`", "`1,5`"]),
+        ("chermain_m", format!("{HEADER}\n1,1,0,1,1,0,0,\"1\n2\"\n"), &["line 2", "quote"]),
+        ("chermain_m", format!("{HEADER}\n{long},1,0,1,1,0,0,1\n"), &["`sigma_x`", "9999...`"]),
+        (
+            "chermain_m",
+            format!("\u{feff}{HEADER}\n1,1,0,1,1,0,0,\u{2212}1\n"),
+            &["`m_22`", "`\u{2212}1`"],
+        ),
     ] {
         let folder = folder("tables");
         let file = folder.join(format!("{stem}.csv"));
         fs::write(&file, text).unwrap();
         assert_refused(&folder, &[&[file.to_str().unwrap()], names].concat());
     }
+    let folder = folder("tables");
+    let file = folder.join("chermain_m.csv");
+    let wide: Vec<u8> =
+        format!("\u{feff}{HEADER}\n").encode_utf16().flat_map(u16::to_le_bytes).collect();
+    fs::write(&file, wide).unwrap();
+    assert_refused(&folder, &[file.to_str().unwrap(), "not UTF-8"]);
+}
+
+/// A table rewritten field by field: its header, and what makes a field of each number.
+fn rewritten(stem: &str, number: impl Fn(&str, f64) -> String) -> String {
+    let table = golden(stem);
+    let (header, rows) = table.split_once('\n').unwrap();
+    let names: Vec<&str> = header.split(',').collect();
+    let row = |row: &str| {
+        let fields = row.split(',').zip(&names);
+        fields
+            .map(|(field, name)| number(name, field.parse().unwrap()))
+            .collect::<Vec<_>>()
+            .join(",")
+    };
+    let rows: Vec<String> = rows.lines().map(row).collect();
+    format!("{header}\n{}\n", rows.join("\n"))
+}
+
+/// As C's `%a` writes it.
+fn hexadecimal(x: f64) -> String {
+    let sign = if x.is_sign_negative() { "-" } else { "" };
+    let (exponent, fraction) = ((x.to_bits() >> 52) & 0x7ff, x.to_bits() & ((1 << 52) - 1));
+    match exponent {
+        0 => format!("{sign}0x0.{fraction:013x}p-1022"),
+        _ => format!("{sign}0x1.{fraction:013x}p{:+}", i64::try_from(exponent).unwrap() - 1023),
+    }
+}
+
+#[test]
+fn hexadecimal_tables_say_what_decimal_ones_say() {
+    let (decimal, hex) = (folder("decimal"), folder("hexadecimal"));
+    for stem in ["ggx_p22", "jacobians", "beckmann_lambda"] {
+        fs::write(decimal.join(format!("{stem}.csv")), golden(stem)).unwrap();
+        fs::write(hex.join(format!("{stem}.csv")), rewritten(stem, |_, x| hexadecimal(x))).unwrap();
+    }
+    let [decimal, hex] = [decimal, hex].map(|folder| validate(&[folder.to_str().unwrap()]));
+    assert_eq!(hex.status.code(), Some(0), "{}{}", text(&hex.stdout), text(&hex.stderr));
+    assert_eq!(text(&hex.stdout), text(&decimal.stdout));
+}
+
+/// Endings in capitals, line ends of two bytes, a mark at the beginning, blank lines, comments, quotes.
+#[test]
+fn tables_of_other_tools_are_read() {
+    let folder = folder("tools");
+    let quoted = rewritten("chermain_m", |_, x| format!("\"{x:e}\""));
+    let text_of_lines =
+        format!("\u{feff}# from a spreadsheet\n\n{}\n \n", quoted.replace('\n', "\n\n"));
+    fs::write(folder.join("CHERMAIN_M.CSV"), text_of_lines.replace('\n', "\r\n")).unwrap();
+    fs::write(folder.join("ggx_d.tsv"), "").unwrap();
+    fs::write(folder.join("a.txt"), "").unwrap();
+    fs::write(folder.join(".hidden"), "").unwrap();
+    let output = validate(&[folder.to_str().unwrap()]);
+    let table = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{table}{}", text(&output.stderr));
+    assert_eq!(table.lines().filter(|line| line.starts_with("chermain_m ")).count(), 2, "{table}");
+    let note = text(&output.stderr);
+    assert!(note.ends_with(".csv: a.txt, ggx_d.tsv\n") && note.lines().count() == 1, "{note}");
+}
+
+/// The density of GGX in a reader's own arithmetic, at inputs of two decimal digits.
+fn decimal_rows() -> String {
+    let mut table = String::from("slope_x,slope_y,mean_x,mean_y,a_xx,a_xy,a_yy,expected\n");
+    for k in 1..200_u32 {
+        let (x, y, alpha) = (f64::from(k % 17) / 10.0, f64::from(k % 7) / 10.0, 0.01);
+        let (a, q) = (alpha * alpha, (x * x + y * y) / (alpha * alpha));
+        let density = 1.0 / (std::f64::consts::PI * a * (1.0 + q) * (1.0 + q));
+        writeln!(table, "{x},{y},0,0,{a},0,{a},{density:e}").expect("a string takes any text");
+    }
+    table
+}
+
+#[test]
+fn decimal_inputs_are_not_blamed_on_single_precision() {
+    let folder = folder("decimals");
+    let rows = decimal_rows();
+    fs::write(folder.join("ggx_p22.csv"), &rows).unwrap();
+    let output = validate(&[folder.to_str().unwrap()]);
+    let table = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{table}{}", text(&output.stderr));
+    let note = "ggx_p22 f32: 199 of 199 rows have inputs that no f32 holds and are judged at the nearest ones, the first in \
+                line 2, `slope_x` 0.1";
+    assert_eq!(table.lines().filter(|line| *line == note).count(), 1, "{table}");
+    let json = validate(&["--json", folder.to_str().unwrap()]);
+    let value: Value = serde_json::from_slice(&json.stdout).expect("JSON");
+    let [single, double] = [&value[0], &value[1]];
+    assert_eq!(
+        (&single["rounded"], &single["first_rounded"]),
+        (&199.into(), &1.into()),
+        "{single}"
+    );
+    assert_eq!((&double["rounded"], &double["first_rounded"]), (&0.into(), &Value::Null));
+    // A wrong value is wrong wherever it is judged.
+    let (rest, last) = rows.trim_end().rsplit_once(',').unwrap();
+    let wrong = format!("{rest},{:e}\n", 1.01 * last.parse::<f64>().unwrap());
+    fs::write(folder.join("ggx_p22.csv"), wrong).unwrap();
+    let output = validate(&[folder.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stdout));
+    for precision in ["f32", "f64"] {
+        let over = format!("over budget: ggx_p22 {precision}: max");
+        assert!(text(&output.stdout).contains(&over), "{}", text(&output.stdout));
+    }
+}
+
+/// A slope beyond the range of f32 is none there: f64 is judged by the row, and f32 does without it.
+#[test]
+fn rows_that_single_precision_cannot_take_are_counted() {
+    let folder = folder("refused");
+    let file = folder.join("beckmann_p22.csv");
+    let header = "slope_x,slope_y,mean_x,mean_y,a_xx,a_xy,a_yy,expected";
+    let density = (-0.5_f64).exp() / std::f64::consts::PI;
+    let far = "1e60,0.5,0,0,1,0,1,0";
+    fs::write(&file, format!("{header}\n{far}\n0.5,0.5,0,0,1,0,1,{density:e}\n")).unwrap();
+    let output = validate(&["--json", folder.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let value: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let of = |line: usize| {
+        ["rows", "rounded", "left_out", "worst_row"].map(|key| value[line][key].as_u64())
+    };
+    assert_eq!(of(0), [Some(1), Some(1), Some(1), Some(2)], "{value}");
+    assert_eq!(of(1)[..3], [Some(2), Some(0), Some(0)], "{value}");
+    let output = validate(&[folder.to_str().unwrap()]);
+    assert!(
+        text(&output.stdout).contains("`slope_x` 1e60; 1 left out"),
+        "{}",
+        text(&output.stdout)
+    );
+    // Of such rows alone f32 says nothing, and nothing is no success.
+    fs::write(&file, format!("{header}\n{far}\n")).unwrap();
+    assert_refused(&folder, &[file.to_str().unwrap(), "no row", "f32"]);
 }
 
 #[test]

@@ -5,6 +5,7 @@
 use super::cell::Cell;
 use super::level::{FARTHEST, Level};
 use super::patch::Patch;
+use super::tile::finest;
 use crate::scalar::Real;
 
 /// Longest pixel against its width, in cells: longer ones get coarser cells. Zirr & Kaplanyan 2016, section 4.2.
@@ -18,8 +19,8 @@ const EVEN: f64 = 0.03;
 /// A cell that a pixel covers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Covered<R> {
-    /// The cell's centre, in cells.
-    pub index: [i32; 2],
+    /// The cell's centre, in cells from the origin of the coordinates.
+    pub index: [i64; 2],
     /// The cell's size is $2^k$, k being this.
     pub exponent: i32,
     /// The cell's share of the pixel. All shares sum to 1.
@@ -66,8 +67,9 @@ pub struct Grid<R> {
 impl<R: Real> Grid<R> {
     /// The grids of a pixel, with cells no smaller than `least`.
     ///
-    /// Nor smaller than $2^{-20}$ of the coordinates' distance from the origin, for the sake of f32: coordinates of
-    /// large surfaces should restart, each tile with a seed of its own. NaN counts as 0 (of coordinates, as far away).
+    /// Nor smaller than $2^{-20}$ of the distance of `uv` from the tile's corner, for the sake of f32: of plain coordinates, from
+    /// the origin ([`Patch::new`]). Coordinates of large surfaces belong into [`Patch::in_tile`]. NaN counts as 0 (of
+    /// coordinates, as far away).
     ///
     /// WGSL: `lobe_grid_new`.
     #[inline]
@@ -75,14 +77,16 @@ impl<R: Real> Grid<R> {
         Self::stretched(patch, [R::ONE; 2], least)
     }
 
-    /// The grids of a pixel whose coordinates are compressed, with the cell size that it has without.
+    /// The grids of a pixel whose coordinates are compressed by factors in [0, 1], with the cell size that it has without.
     ///
     /// WGSL: `lobe_grid_stretched`.
     #[inline]
     pub fn stretched(patch: &Patch<R>, factors: [R; 2], least: R) -> Self {
         let [a, b] = patch.extents();
         let anisotropic = a.max(b) / R::lit(f64::from(ANISOTROPY_LIMIT));
-        let distance = patch.uv[0].abs().max(patch.uv[1].abs().max(R::ZERO));
+        // A tile times a factor leaves a fraction that is rounded as numbers up to 2 are.
+        let is_rounded = patch.tile != [0; 2] && factors != [R::ONE; 2];
+        let distance = patch.distance().max(if is_rounded { R::TWO } else { R::ZERO });
         // `max` drops the NaN of a caller's.
         let size =
             patch.width().max(anisotropic).max(least).max(distance * R::power_of_two(-FARTHEST));
@@ -93,6 +97,7 @@ impl<R: Real> Grid<R> {
     /// The grids of a pixel of this width with cells of this size.
     #[inline]
     pub(super) fn of_size(patch: Patch<R>, width: R, size: R) -> Self {
+        let size = size.max(finest(patch.tile));
         let size = size.max(R::power_of_two(-100)).min(R::power_of_two(100));
         let exponent = size.exponent();
         let mantissa = size * R::power_of_two(-exponent);

@@ -9,18 +9,21 @@
 
 use super::grid::ANISOTROPY_LIMIT;
 use super::patch::Patch;
+use super::tile::{corner, place};
 use crate::scalar::Real;
 
 /// Columns of cells that one level may need: 32 cells of a pixel between two sizes, one at each end.
 pub(super) const COLUMNS: u32 = 2 * ANISOTROPY_LIMIT + 2;
 
-/// Cells from the origin, 2^20, beyond which f32 has no fraction of a cell left that is worth a weight.
+/// Cells from the tile's corner, 2^20, beyond which f32 has no fraction of a cell left that is worth a weight.
 pub(super) const FARTHEST: i32 = 20;
 
 /// One of the two grids: its columns of cells, along the pixel's longer extent.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Level<R> {
     pub(super) exponent: i32,
+    /// Indices that columns and cells count from, along u and v.
+    corner: [i64; 2],
     /// 1 if columns stand along v.
     pub(super) along_v: bool,
     pub(super) first: i32,
@@ -47,7 +50,8 @@ impl<R: Real> Level<R> {
         let along_v = b > a;
         let inverse = R::power_of_two(-exponent);
         let limit = R::power_of_two(FARTHEST + 1);
-        let [x, y] = patch.uv.map(|x| (x * inverse).max(-limit).min(limit));
+        let [x, y] =
+            [0, 1].map(|k| place(patch.tile[k], patch.uv[k], exponent).max(-limit).min(limit));
         let centre = if along_v { [y, x] } else { [x, y] };
         let of = |d: [R; 2]| if along_v { [d[1], d[0]] } else { d };
         let (right, up) = (of(patch.right), of(patch.up));
@@ -66,7 +70,8 @@ impl<R: Real> Level<R> {
         let count = (end.floor() - first) as u32 + 2;
         let share = R::ONE / (R::ONE + (end - begin));
         let count = count.min(COLUMNS);
-        Self { exponent, along_v, first, count, begin, end, centre, skew, share }
+        let corner = patch.tile.map(|tile| corner(tile, exponent));
+        Self { exponent, corner, along_v, first, count, begin, end, centre, skew, share }
     }
 
     /// The `n`th column.
@@ -98,8 +103,9 @@ impl<R: Real> Level<R> {
 
     /// The index of a cell by its column and its place there.
     #[inline]
-    pub(super) fn index(&self, n: u32, row: i32) -> [i32; 2] {
+    pub(super) fn index(&self, n: u32, row: i32) -> [i64; 2] {
         let column = self.first + n as i32;
-        if self.along_v { [row, column] } else { [column, row] }
+        let [u, v] = if self.along_v { [row, column] } else { [column, row] };
+        [self.corner[0] + i64::from(u), self.corner[1] + i64::from(v)]
     }
 }

@@ -19,6 +19,7 @@ mod light;
 mod lobe;
 mod patch;
 mod published;
+mod tile;
 
 pub use binomial::Binomial;
 pub use biscale::Biscale;
@@ -30,3 +31,4 @@ pub use light::light_blur;
 pub use lobe::GlintLobe;
 pub use patch::Patch;
 pub use published::{Published, published_count};
+pub(crate) use tile::{corner, finest, place};

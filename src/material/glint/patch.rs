@@ -2,10 +2,14 @@
 //!
 //! Floor 4.
 
+use super::tile::compressed;
 use crate::scalar::Real;
 use crate::scalar::exact::cross;
 
 /// A pixel's place on a surface: texture coordinates, and how they change to the pixel on the right and above.
+///
+/// The coordinates are $tile + uv$, whole numbers and floats. Cells are counted from the tile by integers, so a pixel has as
+/// sound cells in tile $10^9$ as in tile 0 ([`Patch::in_tile`]). [`Patch::new`] has plain coordinates, tile 0.
 ///
 /// ```
 /// use lobe::material::glint::Patch;
@@ -14,7 +18,9 @@ use crate::scalar::exact::cross;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Patch<R> {
-    /// Texture coordinates of the pixel's centre.
+    /// Whole numbers to be added to `uv`: 0 of plain coordinates.
+    pub tile: [i32; 2],
+    /// Texture coordinates of the pixel's centre, from the tile's corner.
     pub uv: [R; 2],
     /// Their change to the next pixel on the right.
     pub right: [R; 2],
@@ -25,9 +31,53 @@ pub struct Patch<R> {
 impl<R: Real> Patch<R> {
     /// From coordinates and derivatives.
     ///
-    /// WGSL: none, `LobePatch(uv, right, up)` there.
+    /// In f32, coordinates have 24 bits: a pixel of width w (see [`Patch::width`]) has cells of its own size where
+    /// $\max(|u|, |v|) \le 2^{20} w$. There at least 8 different coordinates fall into a cell's width, so shares are right to
+    /// 1/16 of a cell. Farther away, cells of glints are as large as $2^{-20} \max(|u|, |v|)$: details in a cell grow like
+    /// the square of the distance, and the deviation of the sparkle falls like one over it. A pixel of width 1e-3 loses its
+    /// glints from |u| = 1000 on. [`Patch::in_tile`] has no such distance.
+    ///
+    /// WGSL: `lobe_patch_new`.
+    #[inline]
     pub fn new(uv: impl Into<[R; 2]>, right: impl Into<[R; 2]>, up: impl Into<[R; 2]>) -> Self {
-        Self { uv: uv.into(), right: right.into(), up: up.into() }
+        Self::in_tile([0; 2], uv, right, up)
+    }
+
+    /// From the whole part of the coordinates, what is left of them, and derivatives.
+    ///
+    /// The coordinates are the exact sum $tile + uv$. Tile t with uv and tile t + 1 with uv - 1 are one place, and a place that
+    /// a float holds has the cells that [`Patch::new`] gives it; `uv` may lie outside of [0, 1), for pixels across a border or
+    /// triangles over several tiles, and loses precision by its own size only. Any tile of 32 bits will do. Cells are no smaller
+    /// than $2^{-20} \max(|u|, |v|)$ of `uv` alone, and outside of tile 0 no smaller than $2^{-31}$.
+    ///
+    /// Of stretched details ([`Grid::stretched`](super::Grid::stretched)) the exact product of coordinate and factor is taken. A
+    /// fraction is left of it that is right to $2^{-22}$ in f32, so cells are no smaller than $2^{-19}$ there. A far tile moves
+    /// with the factor, by as many tiles as times the factor's change: it should be a constant of the surface, and devices
+    /// whose square roots round differently have other cells far away.
+    ///
+    /// ```
+    /// use lobe::material::glint::{Biscale, Glints, Patch};
+    /// let snow = Glints::new(Biscale::from_fractions([0.3_f32, 0.3], [0.1, 0.1])?, 1e6)?;
+    /// let (right, up, h) = ([1e-3, 0.0], [0.0, 1e-3], [0.0, 0.0, 1.0]);
+    /// let near = snow.lobe(&Patch::new([5.25, 2.5], right, up)).sparkle(h, 0.0);
+    /// assert_eq!(near, snow.lobe(&Patch::in_tile([5, 2], [0.25, 0.5], right, up)).sparkle(h, 0.0));
+    /// // A coordinate of f64, for f32.
+    /// let (u, v) = (1_234_567.890_625_f64, -3.5_f64);
+    /// let tile = [u.floor() as i32, v.floor() as i32];
+    /// let uv = [(u - u.floor()) as f32, (v - v.floor()) as f32];
+    /// assert!(snow.lobe(&Patch::in_tile(tile, uv, right, up)).sparkle(h, 0.0) >= 0.0);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: `lobe_patch_in_tile`.
+    #[inline]
+    pub fn in_tile(
+        tile: impl Into<[i32; 2]>,
+        uv: impl Into<[R; 2]>,
+        right: impl Into<[R; 2]>,
+        up: impl Into<[R; 2]>,
+    ) -> Self {
+        Self { tile: tile.into(), uv: uv.into(), right: right.into(), up: up.into() }
     }
 
     /// Sides of the box around the middles of the parallelogram's edges, $\max(|d_x|, |d_y|)$ per axis.
@@ -69,10 +119,21 @@ impl<R: Real> Patch<R> {
         long * (R::TWO * cross(p, q).abs() / twice.max(R::MIN_POSITIVE))
     }
 
-    /// The same surface with its coordinates scaled.
+    /// The same surface with its coordinates scaled, by factors in [0, 1].
     #[inline]
     pub(super) fn stretched(&self, factors: [R; 2]) -> Self {
         let scaled = |v: [R; 2]| [v[0] * factors[0], v[1] * factors[1]];
-        Self { uv: scaled(self.uv), right: scaled(self.right), up: scaled(self.up) }
+        let (mut tile, mut uv) = ([0; 2], scaled(self.uv));
+        if self.tile != [0; 2] {
+            let axes = [0, 1].map(|k| compressed(self.tile[k], self.uv[k], factors[k]));
+            (tile, uv) = (axes.map(|(tile, _)| tile), axes.map(|(_, uv)| uv));
+        }
+        Self { tile, uv, right: scaled(self.right), up: scaled(self.up) }
+    }
+
+    /// How far `uv` lies from the tile's corner, along the axis that is farther.
+    #[inline]
+    pub(super) fn distance(&self) -> R {
+        self.uv[0].abs().max(self.uv[1].abs().max(R::ZERO))
     }
 }

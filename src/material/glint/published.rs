@@ -173,7 +173,7 @@ struct Pixel<'a, R> {
 
 impl<R: Real> Pixel<'_, R> {
     /// Share of a cell's details that reflect.
-    fn ratio(&self, index: [i32; 2], exponent: i32) -> R {
+    fn ratio(&self, index: [i64; 2], exponent: i32) -> R {
         let Published { biscale, density, variation, dynamic_range } = *self.published;
         let shifted = index.map(|i| if i == 0 { 0 } else { i >> i.trailing_zeros() } as u32);
         let [a, b, c, _] = hash([shifted[0], shifted[1], 0, 0]);

@@ -5,12 +5,12 @@
 use super::ellipse::Ellipse;
 use super::material::MultiLobe;
 use super::recipe::Recipe;
-use crate::material::glint::Cell;
+use crate::material::glint::{Cell, finest};
 use crate::scalar::Real;
 use crate::scalar::hash::{tail, uniform};
 use crate::scalar::quantile::normal_quantile;
 
-/// Cells from the origin, as a power of two: beyond it f32 places a pixel within a cell too coarsely for its weights, and in
+/// Cells from the tile's corner, as a power of two: beyond it f32 places a pixel within a cell too coarsely for its weights, and in
 /// f64 indices end.
 fn farthest<R: Real>() -> i32 {
     if R::SINGLE { 20 } else { 28 }
@@ -51,7 +51,8 @@ impl<R: Real> Cells<R> {
         let size = ellipse
             .width
             .max(material.facet_size())
-            .max(distance * R::power_of_two(-farthest::<R>()));
+            .max(distance * R::power_of_two(-farthest::<R>()))
+            .max(finest(ellipse.tile));
         let size = size.max(R::power_of_two(-100)).min(R::power_of_two(100));
         let exponent = size.exponent();
         let ln_two = R::TWO.ln();
@@ -120,7 +121,7 @@ impl<R: Real> Cells<R> {
             for s in row.first..=row.last {
                 let weight = row.weight(s);
                 if weight > R::ZERO {
-                    f(weight, Cell::at([s, t], exponent, self.seed));
+                    f(weight, Cell::at(rows.index(s, t), exponent, self.seed));
                 }
             }
         }

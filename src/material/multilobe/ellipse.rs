@@ -2,7 +2,7 @@
 //!
 //! Floor 4.
 
-use crate::material::glint::Patch;
+use crate::material::glint::{Patch, corner, place};
 use crate::scalar::{Psd, Real};
 
 /// The largest aspect ratio of a pixel: longer ones are widened to it.
@@ -14,6 +14,7 @@ pub(super) const ROWS: i32 = 34;
 /// A pixel's ellipse on texture coordinates: centre, and square of its axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ellipse<R> {
+    pub(super) tile: [i32; 2],
     pub(super) uv: [R; 2],
     square: Psd<R>,
     /// Its smaller radius, at least.
@@ -23,6 +24,8 @@ pub(super) struct Ellipse<R> {
 /// An ellipse on one level, in cells: radii grown by a cell, so that there is always one inside.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rows<R> {
+    /// Indices that cells and rows count from, along u and v.
+    corner: [i64; 2],
     centre: [R; 2],
     square: Psd<R>,
     pub(super) first: i32,
@@ -65,7 +68,7 @@ impl<R: Real> Ellipse<R> {
             square
         };
         let width = eigen.minor.max(least).sqrt();
-        Self { uv: finite(patch.uv), square, width }
+        Self { tile: patch.tile, uv: finite(patch.uv), square, width }
     }
 
     /// On the level of cells of size $2^k$.
@@ -74,12 +77,14 @@ impl<R: Real> Ellipse<R> {
         let inverse = R::power_of_two(-exponent);
         // Beyond what cells are made for, and below what indices hold.
         let limit = R::power_of_two(if R::SINGLE { 21 } else { 29 });
-        let centre = self.uv.map(|x| (x * inverse).max(-limit).min(limit) - R::HALF);
+        let centre = [0, 1]
+            .map(|k| place(self.tile[k], self.uv[k], exponent).max(-limit).min(limit) - R::HALF);
         let cell = Psd::with_root_det([R::ONE, R::ZERO, R::ONE], R::ONE);
         let square = self.square.scaled(inverse * inverse).plus(&cell);
         let [_, _, yy] = square.entries();
         let [first, last] = between(centre[1], yy.sqrt());
-        Rows { centre, square, first, last }
+        let corner = self.tile.map(|tile| corner(tile, exponent));
+        Rows { corner, centre, square, first, last }
     }
 }
 
@@ -101,6 +106,12 @@ impl<R: Real> Rows<R> {
         let square = self.square.root_det() * (self.square.root_det() / yy);
         let [first, last] = between(middle, (square * rest).sqrt());
         Row { first, last, middle, scale: R::ONE / square, rest }
+    }
+
+    /// The index of cell `s` of row `t`.
+    #[inline]
+    pub(super) fn index(&self, s: i32, t: i32) -> [i64; 2] {
+        [self.corner[0] + i64::from(s), self.corner[1] + i64::from(t)]
     }
 }
 

@@ -112,9 +112,9 @@ impl<R: Real> MultiLobe<R> {
 
     /// What a pixel sees of it.
     ///
-    /// Cells are no smaller than $2^{-20}$ of the coordinates' distance from the origin, in f64 $2^{-28}$: far away glints
-    /// get larger and fade. Coordinates of large surfaces should restart, each tile with a seed of its own. NaN counts as 0, and
-    /// numbers beyond $10^9$ as that.
+    /// Cells are no smaller than $2^{-20}$ of the distance of `uv` from the tile's corner, in f64 $2^{-28}$: far from the origin
+    /// facets of plain coordinates get larger and fade ([`Patch::new`] says where). Coordinates of large surfaces belong into
+    /// [`Patch::in_tile`]. NaN counts as 0, and numbers beyond $10^9$ as that.
     ///
     /// WGSL: `lobe_multi_lobe_lobe`.
     #[inline]

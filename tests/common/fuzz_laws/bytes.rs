@@ -20,6 +20,11 @@ impl<'a> Bytes<'a> {
         core::array::from_fn(|_| self.byte())
     }
 
+    /// A tile: near the first one or far away.
+    pub(crate) fn tile(&mut self) -> [i32; 2] {
+        core::array::from_fn(|_| i32::from_le_bytes(self.word()) >> (self.byte() % 32))
+    }
+
     /// In [0, 1], 32 bits.
     pub(crate) fn fraction(&mut self) -> f64 {
         f64::from(u32::from_le_bytes(self.word())) / f64::from(u32::MAX)

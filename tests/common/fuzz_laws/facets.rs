@@ -71,10 +71,18 @@ fn any<R: Real>(input: &mut Bytes) {
     for pixel in [pixel, widened, published] {
         seen(&pixel, wo, wi, input.pair());
     }
-    if let Some(drawn) = widened.sample(wo, numbers) {
-        number(drawn.pdf, &(&facets, &patch, wo, numbers));
-        number(drawn.weight, &(&facets, &patch, wo, numbers));
-        assert!(drawn.weight <= R::lit(1.001), "{drawn:?} of {facets:?}, {wo:?}, {numbers:?}");
+    sampled(&widened, wo, numbers);
+    let tiled = facets.lobe(&dictionary, &Patch { tile: input.tile(), ..patch }).over(&moments);
+    seen(&tiled, wo, wi, input.pair());
+    sampled(&tiled, wo, numbers);
+}
+
+/// What is drawn by a pixel.
+fn sampled<R: Real>(pixel: &PatchLobe<'_, R>, wo: [R; 3], numbers: [R; 7]) {
+    if let Some(drawn) = pixel.sample(wo, numbers) {
+        number(drawn.pdf, &(pixel.exponent(), wo, numbers));
+        number(drawn.weight, &(pixel.exponent(), wo, numbers));
+        assert!(drawn.weight <= R::lit(1.001), "{drawn:?} of {wo:?}, {numbers:?}");
     }
 }
 

@@ -1,7 +1,7 @@
 //! Glints: every number of a pixel is one, in range, whatever material, pixel, map, kernel, half vector and light.
 
 use super::bytes::Bytes;
-use lobe::material::glint::{Binomial, Biscale, Glints, Patch, Published, hue_wheel};
+use lobe::material::glint::{Binomial, Biscale, Glints, Grid, Patch, Published, hue_wheel};
 use lobe::slope::direction::normalize;
 use lobe::{Footprint, Kernel, PixelFilter, Psd, Real, Roughness, SlopeMoments};
 
@@ -39,12 +39,14 @@ fn any<R: Real>(input: &mut Bytes) {
     let whole = h.iter().all(|x| x.is_finite());
     if let Ok(mut published) = Published::new(biscale, density) {
         published.variation = R::lit(input.between(0.0, 100.0));
-        let cosine = R::lit(input.between(0.0, 1.0));
-        let d = published.d(&patch, h, cosine, R::lit(input.between(0.0, 1.0)));
-        assert!(
-            !whole || d >= R::ZERO && d.is_finite(),
-            "{d} from {published:?}, {patch:?}, {h:?}"
-        );
+        let (cosine, gamma) = (R::lit(input.between(0.0, 1.0)), R::lit(input.between(0.0, 1.0)));
+        for patch in [patch, Patch { tile: [i32::MAX, i32::MIN], ..patch }] {
+            let d = published.d(&patch, h, cosine, gamma);
+            assert!(
+                !whole || d >= R::ZERO && d.is_finite(),
+                "{d} from {published:?}, {patch:?}, {h:?}"
+            );
+        }
     }
     let Ok(glints) = Glints::new(biscale, density) else { return };
     let glints = glints.with_variation(input.number()).unwrap_or(glints);
@@ -54,26 +56,32 @@ fn any<R: Real>(input: &mut Bytes) {
     let moments = SlopeMoments::new(input.pair(), covariance).unwrap_or_default();
     let footprint = Footprint::from_slopes(input.pair::<R>(), input.pair::<R>());
     let kernel = Kernel::of(&footprint, PixelFilter::BOX);
-    let pixel = glints.lobe(&patch).over(&moments).widened(&kernel);
+    let wi = normalize(input.triple::<R>());
+    for patch in [patch, Patch { tile: input.tile(), ..patch }] {
+        let pixel = glints.lobe(&patch).over(&moments).widened(&kernel);
+        covered(&patch, pixel.grid());
+        if whole {
+            let from = (&glints, &patch, &moments, &footprint, h, blur);
+            let probability = pixel.probability(h, blur);
+            number(probability, &from);
+            assert!(probability <= R::ONE, "{probability} from {from:?}");
+            number(pixel.sparkle(h, blur), &from);
+            number(pixel.slope_pdf(h, blur), &from);
+            number(pixel.brdf(h, wi, blur), &from);
+            for channel in pixel.coloured_sparkle(h, blur, hue_wheel) {
+                number(channel, &from);
+            }
+        }
+    }
+}
 
+/// A pixel has cells, whose shares sum to 1.
+fn covered<R: Real>(patch: &Patch<R>, grid: &Grid<R>) {
     let (mut cells, mut shares) = (0, R::ZERO);
-    pixel.grid().visit(|cell| {
+    grid.visit(|cell| {
         cells += 1;
         shares = shares + cell.share;
     });
     assert!((1..=104).contains(&cells), "{cells} cells of {patch:?}");
     assert!((shares - R::ONE).abs() < R::lit(1e-3), "shares of {patch:?} sum to {shares}");
-
-    if whole {
-        let from = (&glints, &patch, &moments, &footprint, h, blur);
-        let probability = pixel.probability(h, blur);
-        number(probability, &from);
-        assert!(probability <= R::ONE, "{probability} from {from:?}");
-        number(pixel.sparkle(h, blur), &from);
-        number(pixel.slope_pdf(h, blur), &from);
-        number(pixel.brdf(h, normalize(input.triple::<R>()), blur), &from);
-        for channel in pixel.coloured_sparkle(h, blur, hue_wheel) {
-            number(channel, &from);
-        }
-    }
 }

@@ -3,28 +3,56 @@
 //! Shared by `cargo run --release --example validate` and tests/laws/golden.rs.
 
 mod file;
+mod number;
 mod outcome;
 mod quantity;
 
 pub(crate) use file::{Table, read_directory};
-pub(crate) use outcome::{Deviation, Outcome};
+pub(crate) use outcome::{Deviation, Outcome, Rounded};
 pub(crate) use quantity::Quantity;
 
-use lobe::Real;
+use lobe::{Error, Real};
 
 /// Evaluates `quantity` on every row of `table` in the precision `R`.
 ///
-/// An error is one line that names the file and the row that was refused.
+/// Inputs that `R` does not hold are rounded to it, and the row's expected values are moved to the rounded inputs by the library
+/// itself in f64, $expected + f_{64}(rounded) - f_{64}(given)$. The difference is small and its error that of f64, which is
+/// judged apart, against the expected values as they stand; so what is judged in `R` is neither the user's rounding nor
+/// the library's in f64. Rows whose rounded inputs the library refuses are left out and counted.
+///
+/// An error is one line that names the file, and line and row that were refused.
 pub(crate) fn evaluate<R: Real>(table: &Table, quantity: &Quantity) -> Result<Outcome, String> {
-    let evaluate = quantity.evaluator::<R>();
+    let (single, double) = (quantity.evaluator::<R>(), quantity.evaluator::<f64>());
     let mut deviations = Vec::with_capacity(table.rows.len());
+    let mut rounded = Rounded::default();
     for (index, row) in table.rows.iter().enumerate() {
-        let (inputs, expected) = row.split_at(quantity.inputs.len());
-        let inputs: Vec<R> = inputs.iter().map(|&x| R::lit(x)).collect();
-        let got = evaluate(&inputs)
-            .map_err(|error| format!("{}: row {}: {error}", table.path.display(), index + 1))?;
-        deviations.push(Deviation::of(&got, expected, quantity.signed));
+        let (given, expected) = row.split_at(quantity.inputs.len());
+        let inputs: Vec<R> = given.iter().map(|&x| R::lit(x)).collect();
+        let held: Vec<f64> = inputs.iter().map(|x| x.to_f64()).collect();
+        let refused = |error: Error| {
+            let (path, line) = (table.path.display(), table.lines[index]);
+            format!("{path}: line {line} (row {}): {error}", index + 1)
+        };
+        let Some(column) = (0..given.len()).find(|&k| held[k] != given[k]) else {
+            let got = single(&inputs).map_err(refused)?;
+            deviations.push((index, Deviation::of(&got, expected, quantity.signed)));
+            continue;
+        };
+        let here = double(given).map_err(refused)?;
+        rounded.add(index, column);
+        let there = if held.iter().all(|x| x.is_finite()) { double(&held).ok() } else { None };
+        match (there, single(&inputs)) {
+            (Some(there), Ok(got)) => {
+                let moved = |k: usize| expected[k] + (there[k] - here[k]);
+                let moved: Vec<f64> = (0..expected.len()).map(moved).collect();
+                deviations.push((index, Deviation::of(&got, &moved, quantity.signed)));
+            }
+            _ => rounded.refused += 1,
+        }
     }
-    Outcome::of(&deviations)
-        .ok_or_else(|| format!("{}: no rows below the header", table.path.display()))
+    let no_rows = || match rounded.refused {
+        0 => format!("{}: no rows below the header", table.path.display()),
+        _ => format!("{}: no row has inputs near which f32 has valid ones", table.path.display()),
+    };
+    Outcome::of(&deviations, rounded).ok_or_else(no_rows)
 }

@@ -35,7 +35,7 @@ impl Deviation {
 /// What one table says of one precision.
 #[derive(Clone, Debug)]
 pub(crate) struct Outcome {
-    /// Number of rows.
+    /// Number of rows that were judged.
     pub(crate) rows: usize,
     /// Largest relative error; `f64::MAX` if a result is not finite.
     pub(crate) max_rel: f64,
@@ -47,12 +47,33 @@ pub(crate) struct Outcome {
     pub(crate) worst_row: usize,
     /// Rows with a NaN or infinite result, or a negative one of a quantity that cannot be negative.
     pub(crate) bad: usize,
+    /// Rows with inputs that the precision does not hold.
+    pub(crate) rounded: Rounded,
+}
+
+/// Rows with inputs that a precision does not hold.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Rounded {
+    /// Number of rows.
+    pub(crate) rows: usize,
+    /// Index of the first row, and of its first input.
+    pub(crate) first: Option<[usize; 2]>,
+    /// Rows among them whose rounded inputs are refused: no deviation counts them.
+    pub(crate) refused: usize,
+}
+
+impl Rounded {
+    /// One more row, and its first input.
+    pub(crate) fn add(&mut self, row: usize, column: usize) {
+        self.rows += 1;
+        self.first = self.first.or(Some([row, column]));
+    }
 }
 
 impl Outcome {
-    /// Over all rows of a table, in their order; `None` if there are none.
-    pub(crate) fn of(deviations: &[Deviation]) -> Option<Self> {
-        let mut errors: Vec<f64> = deviations.iter().map(|row| row.relative).collect();
+    /// Over rows of a table with their indices, in their order; `None` if there are none.
+    pub(crate) fn of(deviations: &[(usize, Deviation)], rounded: Rounded) -> Option<Self> {
+        let mut errors: Vec<f64> = deviations.iter().map(|(_, row)| row.relative).collect();
         let worst = (0..errors.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b]))?;
         errors.sort_by(f64::total_cmp);
         let rows = errors.len();
@@ -60,9 +81,10 @@ impl Outcome {
             rows,
             max_rel: errors[rows - 1],
             p99_rel: errors[(rows * 99).div_ceil(100) - 1],
-            max_ulp: deviations.iter().fold(0.0, |largest, row| row.ulp.max(largest)),
-            worst_row: worst + 1,
-            bad: deviations.iter().filter(|row| row.bad).count(),
+            max_ulp: deviations.iter().fold(0.0, |largest, (_, row)| row.ulp.max(largest)),
+            worst_row: deviations[worst].0 + 1,
+            bad: deviations.iter().filter(|(_, row)| row.bad).count(),
+            rounded,
         })
     }
 }

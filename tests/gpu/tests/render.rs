@@ -157,7 +157,7 @@ fn deferred_alphas_are_those_of_the_quad_s_normals() {
 }
 
 /// The cells that a pixel covers.
-fn covered(patch: &Patch<f32>) -> Vec<([i32; 2], i32, f32)> {
+fn covered(patch: &Patch<f32>) -> Vec<([i64; 2], i32, f32)> {
     let mut cells = Vec::new();
     Grid::new(patch, 1e-6).visit(|cell| cells.push((cell.index, cell.exponent, cell.share)));
     cells

@@ -160,13 +160,13 @@ impl Seen<f64> {
     pub(super) fn cast<R: Real>(&self) -> Result<Seen<R>, Error> {
         let pair = |v: [f64; 2]| v.map(R::lit);
         let vector = |v: [f64; 3]| v.map(R::lit);
-        let Patch { uv, right, up } = self.patch;
+        let Patch { tile, uv, right, up } = self.patch;
         let moments = self.moments.map(|moments| {
             let [xx, xy, yy] = vector(moments.covariance().entries());
             SlopeMoments::new(pair(moments.mean()), Psd::nearest(xx, xy, yy))
         });
         Ok(Seen {
-            patch: Patch::new(pair(uv), pair(right), pair(up)),
+            patch: Patch::in_tile(tile, pair(uv), pair(right), pair(up)),
             wo: vector(self.wo),
             wi: vector(self.wi),
             moments: moments.transpose()?,

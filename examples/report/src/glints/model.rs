@@ -53,10 +53,10 @@ pub(super) struct Seen<R> {
 
 impl Seen<f64> {
     pub(super) fn cast<R: Real>(&self) -> Seen<R> {
-        let Patch { uv, right, up } = self.patch;
+        let Patch { tile, uv, right, up } = self.patch;
         let (pair, vector) = (|v: [f64; 2]| v.map(R::lit), |v: [f64; 3]| v.map(R::lit));
         Seen {
-            patch: Patch::new(pair(uv), pair(right), pair(up)),
+            patch: Patch::in_tile(tile, pair(uv), pair(right), pair(up)),
             wo: vector(self.wo),
             wi: vector(self.wi),
             radius: R::lit(self.radius),
@@ -132,6 +132,6 @@ fn quarters<R: Real>(patch: &Patch<R>) -> [Patch<R>; 4] {
     let (half, minus) = (R::HALF, -R::HALF);
     [[minus, minus], [half, minus], [minus, half], [half, half]].map(|[a, b]| {
         let uv = [0, 1].map(|k| patch.uv[k] + a * right[k] + b * up[k]);
-        Patch { uv, right, up }
+        Patch { uv, right, up, ..*patch }
     })
 }

@@ -38,7 +38,7 @@ impl Points {
 
     /// Slope density that a pixel has: the mean over its parallelogram of what its details have.
     pub(super) fn slope_pdf(&self, patch: &Patch<f64>, slope: [f64; 2]) -> f64 {
-        let Patch { uv, right, up } = *patch;
+        let Patch { uv, right, up, .. } = *patch;
         let size = (PER_SQUARE / self.density).sqrt();
         let reach = 0.5 * (right[1].abs() + up[1].abs());
         let [bottom, top] = [-reach, reach].map(|y| ((uv[1] + y) / size).floor() as i64);

@@ -163,7 +163,7 @@ fn law(grid: &Grid<f64>, density: f64, groove: bool, probability: f64) -> [f64; 
         let number = if groove { density.sqrt() * size } else { density * size * size };
         let deviation = cell.share / (number.max(1.0) * probability).sqrt();
         apart += deviation * deviation;
-        let place = cell.index.map(|i| f64::from(i) * size);
+        let place = cell.index.map(|i| i as f64 * size);
         match deviations.iter_mut().find(|other| other.0 == place) {
             Some(other) => other.1 += deviation,
             None => deviations.push((place, deviation)),

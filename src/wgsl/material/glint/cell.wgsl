@@ -2,19 +2,27 @@
 
 // Rust: `COLOUR`.
 const LOBE_CELL_COLOUR: u32 = 2654435769u;
+// Rust: `FAR`.
+const LOBE_CELL_FAR = vec2u(3242174889u, 2447445413u);
 
 // Rust: `Cell`.
 struct LobeCell {
     words: vec4u,
 }
 
-// Rust: `Cell::at`.
+// Rust: `Cell::at`, of indices of 32 bits.
 fn lobe_cell_at(index: vec2i, exponent: i32, seed: u32) -> LobeCell {
+    return lobe_cell_at_wide(lobe_cell_index(vec2u(0u, 0u), vec2u(0u, 0u), index), exponent, seed);
+}
+
+// Rust: `Cell::at`, of indices of 64 bits: lower and upper word along u, lower and upper word along v.
+fn lobe_cell_at_wide(index: vec4u, exponent: i32, seed: u32) -> LobeCell {
     let bounded = select(select(exponent, -300, exponent < -300), 300, exponent > 300);
-    let u = lobe_cell_canonical(index.x, bounded);
-    let v = lobe_cell_canonical(index.y, bounded);
-    let exponents = (u32(u.y) & 0xffffu) | (u32(v.y) << 16u);
-    return LobeCell(lobe_hash(vec4u(u32(u.x), u32(v.x), exponents, seed)));
+    let u = lobe_cell_centre(index.xy, bounded);
+    let v = lobe_cell_centre(index.zw, bounded);
+    let exponents = (u32(u.exponent) & 0xffffu) | (u32(v.exponent) << 16u);
+    let far = u.more * LOBE_CELL_FAR.x + v.more * LOBE_CELL_FAR.y;
+    return LobeCell(lobe_hash(vec4u(u.odd, v.odd, exponents, seed + far)));
 }
 
 // Rust: `Cell::jitter`.
@@ -42,14 +50,45 @@ fn lobe_cell_count(cell: LobeCell, bin: vec2i) -> f32 {
     return lobe_hash_tail(lobe_hash(vec4u(cell.words.x, cell.words.y, u32(bin.x), u32(bin.y))).w);
 }
 
-// Rust: `canonical`: the odd number, and the exponent.
-fn lobe_cell_canonical(index: i32, exponent: i32) -> vec2i {
-    if index == 0 {
-        return vec2i(0, -16384);
+// WGSL only: 64 bits are two words here. Indices counted from a corner.
+fn lobe_cell_index(corner_u: vec2u, corner_v: vec2u, index: vec2i) -> vec4u {
+    return vec4u(lobe_cell_sum(corner_u, index.x), lobe_cell_sum(corner_v, index.y));
+}
+
+// WGSL only: 64 bits are two words here.
+fn lobe_cell_sum(corner: vec2u, index: i32) -> vec2u {
+    let low = corner.x + u32(index);
+    return vec2u(low, corner.y + u32(index >> 31u) + select(0u, 1u, low < corner.x));
+}
+
+// Rust: `Centre`.
+struct LobeCellCentre {
+    odd: u32,
+    more: u32,
+    exponent: i32,
+}
+
+// WGSL only: the place of the lowest bit of a word that is not 0. WebGL 2 counts no bits: the lowest bit alone is a power of
+// two, whose exponent an f32 has.
+fn lobe_cell_lowest_bit(word: u32) -> u32 {
+    return (bitcast<u32>(f32(word & (~word + 1u))) >> 23u) - 127u;
+}
+
+// Rust: `Centre::of`, of the lower word and the upper one.
+fn lobe_cell_centre(index: vec2u, exponent: i32) -> LobeCellCentre {
+    if index.x == 0u && index.y == 0u {
+        return LobeCellCentre(0u, 0u, -16384);
     }
-    // WebGL 2 counts no bits. The lowest one alone is a power of two, and f32 has its exponent.
-    let word = u32(index);
-    let lowest = f32(word & (~word + 1u));
-    let zeros = i32(bitcast<u32>(lowest) >> 23u) - 127;
-    return vec2i(index >> u32(zeros), exponent + zeros);
+    let low = i32(index.x);
+    if u32(low >> 31u) == index.y {
+        let few = lobe_cell_lowest_bit(index.x);
+        return LobeCellCentre(u32(low >> few), 0u, exponent + i32(few));
+    }
+    let sign = u32(i32(index.y) >> 31u);
+    let even = index.x == 0u;
+    let words = select(index, vec2u(index.y, sign), even);
+    let zeros = lobe_cell_lowest_bit(words.x);
+    let odd = (words.x >> zeros) | ((words.y << 1u) << (31u - zeros));
+    let more = u32(i32(words.y) >> zeros) + (odd >> 31u);
+    return LobeCellCentre(odd, more, exponent + i32(zeros) + select(0, 32, even));
 }

@@ -25,7 +25,8 @@ fn lobe_grid_new(pixel: LobePatch, least: f32) -> LobeGrid {
 fn lobe_grid_stretched(pixel: LobePatch, factors: vec2f, least: f32) -> LobeGrid {
     let extents = lobe_patch_extents(pixel);
     let anisotropic = lobe_max(extents.x, extents.y) / f32(LOBE_ANISOTROPY_LIMIT);
-    let distance = lobe_max(abs(pixel.uv.x), lobe_max(abs(pixel.uv.y), 0.0));
+    let is_rounded = (pixel.tile.x != 0 || pixel.tile.y != 0) && (factors.x != 1.0 || factors.y != 1.0);
+    let distance = lobe_max(lobe_patch_distance(pixel), select(0.0, 2.0, is_rounded));
     let farthest = distance * lobe_power_of_two(-LOBE_LEVEL_FARTHEST);
     let size = lobe_max(lobe_max(lobe_max(lobe_patch_width(pixel), anisotropic), least), farthest);
     let stretched = lobe_patch_stretched(pixel, factors);
@@ -34,7 +35,8 @@ fn lobe_grid_stretched(pixel: LobePatch, factors: vec2f, least: f32) -> LobeGrid
 
 // Rust: `Grid::of_size`. The last number is ln(2), as `Real::ln` has it.
 fn lobe_grid_of_size(pixel: LobePatch, width: f32, size: f32) -> LobeGrid {
-    let bounded = lobe_min(lobe_max(size, lobe_power_of_two(-100)), lobe_power_of_two(100));
+    let least = lobe_max(size, lobe_tile_finest(pixel.tile));
+    let bounded = lobe_min(lobe_max(least, lobe_power_of_two(-100)), lobe_power_of_two(100));
     let exponent = lobe_exponent(bounded);
     let mantissa = bounded * lobe_power_of_two(-exponent);
     return LobeGrid(pixel, width, exponent, lobe_min(lobe_max(lobe_ln(mantissa) / 0.6931472, 0.0), 1.0), 0u);

@@ -7,9 +7,9 @@ const LOBE_LEVEL_COLUMNS: u32 = 34u;
 // Rust: `FARTHEST`.
 const LOBE_LEVEL_FARTHEST: i32 = 20;
 
-// WGSL only: `Covered`, which stands in src/material/glint/grid.rs.
+// WGSL only: `Covered`, which stands in src/material/glint/grid.rs. The index has words as `lobe_cell_at_wide` takes them.
 struct LobeCovered {
-    index: vec2i,
+    index: vec4u,
     exponent: i32,
     share: f32,
 }
@@ -17,6 +17,8 @@ struct LobeCovered {
 // Rust: `Level`.
 struct LobeLevel {
     exponent: i32,
+    corner_u: vec2u,
+    corner_v: vec2u,
     along_v: bool,
     first: i32,
     count: u32,
@@ -39,8 +41,8 @@ fn lobe_level_new(pixel: LobePatch, width: f32, exponent: i32) -> LobeLevel {
     let along_v = extents.y > extents.x;
     let inverse = lobe_power_of_two(-exponent);
     let limit = lobe_power_of_two(LOBE_LEVEL_FARTHEST + 1);
-    let x = lobe_min(lobe_max(pixel.uv.x * inverse, -limit), limit);
-    let y = lobe_min(lobe_max(pixel.uv.y * inverse, -limit), limit);
+    let x = lobe_min(lobe_max(lobe_tile_place(pixel.tile.x, pixel.uv.x, exponent), -limit), limit);
+    let y = lobe_min(lobe_max(lobe_tile_place(pixel.tile.y, pixel.uv.y, exponent), -limit), limit);
     let centre = select(vec2f(x, y), vec2f(y, x), along_v);
     let right = select(pixel.right, pixel.right.yx, along_v) * inverse;
     let up = select(pixel.up, pixel.up.yx, along_v) * inverse;
@@ -54,7 +56,8 @@ fn lobe_level_new(pixel: LobePatch, width: f32, exponent: i32) -> LobeLevel {
     let first = lobe_floor(begin);
     let count = u32(lobe_floor(end) - first) + 2u;
     return LobeLevel(
-        exponent, along_v, first, select(count, LOBE_LEVEL_COLUMNS, count > LOBE_LEVEL_COLUMNS), begin, end, centre,
+        exponent, lobe_tile_corner(pixel.tile.x, exponent), lobe_tile_corner(pixel.tile.y, exponent), along_v, first,
+        select(count, LOBE_LEVEL_COLUMNS, count > LOBE_LEVEL_COLUMNS), begin, end, centre,
         lobe_min(lobe_max(skew, -1.0), 1.0), 1.0 / (1.0 + (end - begin))
     );
 }
@@ -82,9 +85,11 @@ fn lobe_level_column_at(level: LobeLevel, n: u32, y: f32) -> LobeColumn {
 }
 
 // Rust: `Level::index`.
-fn lobe_level_index(level: LobeLevel, n: u32, row: i32) -> vec2i {
+fn lobe_level_index(level: LobeLevel, n: u32, row: i32) -> vec4u {
     let column = level.first + i32(n);
-    return select(vec2i(column, row), vec2i(row, column), level.along_v);
+    return lobe_cell_index(
+        level.corner_u, level.corner_v, select(vec2i(column, row), vec2i(row, column), level.along_v)
+    );
 }
 
 // WGSL only: of `Grid::walk`: one of the two cells of a column.

@@ -199,7 +199,7 @@ fn lobe_glint_lobe_draws(lobe: LobeGlintLobe, reflection: LobeReflection, coarse
 
 // WGSL only: of `GlintLobe::mixed`, which has it as a closure: all that is done for one cell.
 fn lobe_glint_lobe_cell(draws: LobeGlintDraws, covered: LobeCovered) -> LobeGlintPart {
-    let cell = lobe_cell_at(covered.index, covered.exponent, draws.seed);
+    let cell = lobe_cell_at_wide(covered.index, covered.exponent, draws.seed);
     let share = covered.share * lobe_grid_presence(draws.progress, cell, draws.coarser);
     if !(share > 0.0) {
         return LobeGlintPart(cell, 0.0, 0.0, 0.0);

@@ -2,9 +2,20 @@
 
 // Rust: `Patch`.
 struct LobePatch {
+    tile: vec2i,
     uv: vec2f,
     right: vec2f,
     up: vec2f,
+}
+
+// Rust: `Patch::new`.
+fn lobe_patch_new(uv: vec2f, right: vec2f, up: vec2f) -> LobePatch {
+    return lobe_patch_in_tile(vec2i(0, 0), uv, right, up);
+}
+
+// Rust: `Patch::in_tile`.
+fn lobe_patch_in_tile(tile: vec2i, uv: vec2f, right: vec2f, up: vec2f) -> LobePatch {
+    return LobePatch(tile, uv, right, up);
 }
 
 // Rust: `Patch::extents`. NaN counts as 0.
@@ -37,5 +48,18 @@ fn lobe_patch_length(x: f32, y: f32) -> f32 {
 
 // Rust: `Patch::stretched`.
 fn lobe_patch_stretched(pixel: LobePatch, factors: vec2f) -> LobePatch {
-    return LobePatch(pixel.uv * factors, pixel.right * factors, pixel.up * factors);
+    var tile = vec2i(0, 0);
+    var uv = pixel.uv * factors;
+    if pixel.tile.x != 0 || pixel.tile.y != 0 {
+        let u = lobe_tile_compressed(pixel.tile.x, pixel.uv.x, factors.x);
+        let v = lobe_tile_compressed(pixel.tile.y, pixel.uv.y, factors.y);
+        tile = vec2i(u.tile, v.tile);
+        uv = vec2f(u.fraction, v.fraction);
+    }
+    return LobePatch(tile, uv, pixel.right * factors, pixel.up * factors);
+}
+
+// Rust: `Patch::distance`. NaN counts as 0.
+fn lobe_patch_distance(pixel: LobePatch) -> f32 {
+    return lobe_max(abs(pixel.uv.x), lobe_max(abs(pixel.uv.y), 0.0));
 }

@@ -31,7 +31,8 @@ fn lobe_cells_new(
 ) -> LobeCells {
     let distance = lobe_max(abs(ellipse.uv.x), lobe_max(abs(ellipse.uv.y), 0.0));
     let farthest = distance * lobe_power_of_two(-LOBE_CELLS_FARTHEST);
-    let least = lobe_max(lobe_max(ellipse.width, facet_size), farthest);
+    let resolved = lobe_max(lobe_max(ellipse.width, facet_size), farthest);
+    let least = lobe_max(resolved, lobe_tile_finest(ellipse.tile));
     let size = lobe_min(lobe_max(least, lobe_power_of_two(-100)), lobe_power_of_two(100));
     let exponent = lobe_exponent(size);
     // The number is ln(2), as `Real::ln` has it.
@@ -84,7 +85,7 @@ fn lobe_cells_weight(walk: LobeCellsWalk) -> f32 {
 
 // WGSL only: of `Cells::level`, the cell.
 fn lobe_cells_cell(cells: LobeCells, step: i32, walk: LobeCellsWalk) -> LobeCell {
-    return lobe_cell_at(vec2i(walk.s, walk.t), cells.exponent + step, cells.seed);
+    return lobe_cell_at_wide(lobe_ellipse_index(walk.rows, walk.s, walk.t), cells.exponent + step, cells.seed);
 }
 
 // Rust: `Cells::chosen`.

@@ -9,6 +9,7 @@ const LOBE_ELLIPSE_RIM: f32 = 0.13533528;
 
 // Rust: `Ellipse`.
 struct LobeEllipse {
+    tile: vec2i,
     uv: vec2f,
     square: LobePsd,
     width: f32,
@@ -16,6 +17,8 @@ struct LobeEllipse {
 
 // Rust: `Rows`.
 struct LobeEllipseRows {
+    corner_u: vec2u,
+    corner_v: vec2u,
     centre: vec2f,
     square: LobePsd,
     first: i32,
@@ -47,21 +50,25 @@ fn lobe_ellipse_of(pixel: LobePatch) -> LobeEllipse {
         let y = eigen.axis.y * missing;
         let root_det = eigen.major / f32(LOBE_ELLIPSE_LIMIT);
         let wide = LobePsd(square.xx + y * y, square.xy - x * y, square.yy + x * x, root_det);
-        return LobeEllipse(uv, wide, width);
+        return LobeEllipse(pixel.tile, uv, wide, width);
     }
-    return LobeEllipse(uv, square, width);
+    return LobeEllipse(pixel.tile, uv, square, width);
 }
 
 // Rust: `Ellipse::rows`.
 fn lobe_ellipse_rows(ellipse: LobeEllipse, exponent: i32) -> LobeEllipseRows {
     let inverse = lobe_power_of_two(-exponent);
     let centre = vec2f(
-        lobe_ellipse_bounded(ellipse.uv.x * inverse) - 0.5, lobe_ellipse_bounded(ellipse.uv.y * inverse) - 0.5
+        lobe_ellipse_bounded(lobe_tile_place(ellipse.tile.x, ellipse.uv.x, exponent)) - 0.5,
+        lobe_ellipse_bounded(lobe_tile_place(ellipse.tile.y, ellipse.uv.y, exponent)) - 0.5
     );
     let square =
         lobe_psd_plus(lobe_psd_scaled(ellipse.square, inverse * inverse), LobePsd(1.0, 0.0, 1.0, 1.0));
     let ends = lobe_ellipse_between(centre.y, sqrt(square.yy));
-    return LobeEllipseRows(centre, square, ends.x, ends.y);
+    return LobeEllipseRows(
+        lobe_tile_corner(ellipse.tile.x, exponent), lobe_tile_corner(ellipse.tile.y, exponent), centre, square, ends.x,
+        ends.y
+    );
 }
 
 // WGSL only: of `Ellipse::rows`, which has it as a closure. NaN counts as the smallest.
@@ -87,6 +94,11 @@ fn lobe_ellipse_row(rows: LobeEllipseRows, t: i32) -> LobeEllipseRow {
     let square = psd.root_det * (psd.root_det / psd.yy);
     let ends = lobe_ellipse_between(middle, sqrt(square * rest));
     return LobeEllipseRow(ends.x, ends.y, middle, 1.0 / square, rest);
+}
+
+// Rust: `Rows::index`.
+fn lobe_ellipse_index(rows: LobeEllipseRows, s: i32, t: i32) -> vec4u {
+    return lobe_cell_index(rows.corner_u, rows.corner_v, vec2i(s, t));
 }
 
 // Rust: `Row::weight`.

@@ -3,7 +3,7 @@
 use std::hash::{Hash, Hasher};
 
 use lobe::material::Fresnel;
-use lobe::material::glint::{Binomial, Cell, GlintLobe, Grid, hue_wheel, light_blur};
+use lobe::material::glint::{Binomial, Cell, GlintLobe, Grid, Patch, hue_wheel, light_blur};
 use lobe::shade::{GlintMaterial, GlintShading};
 use lobe::{Kernel, Real, SlopeMoments};
 
@@ -130,6 +130,11 @@ super::twins! {
         biscale.over(&moments(x))
     };
     "cell_at" (Whole, Level, Word) "lobe_cell_at($0, $1, $2)" => |x| Words::<R>::of(&cell(x));
+    "cell_at_wide" (Whole, Whole, Level, Word)
+        "lobe_cell_at_wide(vec4u(vec2u($0), vec2u($1)), $2, $3)" => |x| {
+        let [u, v] = [x.index(), x.index()].map(|[low, high]| (i64::from(high) << 32) | i64::from(low.cast_unsigned()));
+        Words::<R>::of(&Cell::at([u, v], x.word().cast_signed(), x.word()))
+    };
     "cell_jitter" (Whole, Level, Word) "lobe_cell_jitter(lobe_cell_at($0, $1, $2))" => |x| {
         cell(x).jitter::<R>().map(exact)
     };
@@ -148,6 +153,14 @@ super::twins! {
     };
     "glints_detail_size" flips SIZES (Glints) "lobe_glints_detail_size($0)" => |x| x.glints::<R>().detail_size();
     "glints_lobe" flips SIZES (Glints, Patch) "lobe_glints_lobe($0, $1).grid" => |x| *pixel::<R>(x).grid();
+    "patch_new" flips SIZES (Plain, Size) "lobe_grid_new(lobe_patch_new($0), $1)" => |x| {
+        let patch = Patch::new(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>());
+        Grid::new(&patch, x.f())
+    };
+    "patch_in_tile" flips SIZES (Patch, Size) "lobe_grid_new($0, $1)" => |x| {
+        let patch = x.patch::<R>();
+        Grid::new(&patch, x.f())
+    };
     "patch_extents" (Patch) "lobe_patch_extents($0)" => |x| x.patch::<R>().extents();
     "patch_area" (Patch) "lobe_patch_area($0)" => |x| x.patch::<R>().area();
     "patch_width" (Patch) "lobe_patch_width($0)" => |x| x.patch::<R>().width();

@@ -29,7 +29,11 @@ pub(super) fn wgsl(input: Input, at: impl Fn(usize) -> String) -> Option<String>
             format!("array<f32, 7>({})", [0, 1, 2, 3, 4, 5, 6].map(at).join(", "))
         }
         Input::Marginal => format!("{}, {}", bits(0), bits(1)),
-        Input::Patch => format!("LobePatch({}, {}, {})", pair(0), pair(2), pair(4)),
+        Input::Patch => {
+            let tile = format!("vec2i({}, {})", whole(0), whole(1));
+            format!("lobe_patch_in_tile({tile}, {}, {}, {})", pair(2), pair(4), pair(6))
+        }
+        Input::Plain => format!("{}, {}, {}", pair(0), pair(2), pair(4)),
         Input::Mirrored => format!("{}, {}", triple(0), triple(3)),
         _ => return None,
     })
@@ -85,7 +89,11 @@ pub(super) fn draw(input: Input, s: &mut Source, drawn: &mut Drawn, out: &mut Ve
             put(&[0; 7].map(|_| if s.pick(99) == 0 { unit(s) } else { s.uniform(0.02, 0.98) }));
         }
         Input::Marginal => out.extend([60, 10].map(|most| f32::from_bits(s.pick(most) as u32))),
-        Input::Patch => put(&patch(s)),
+        Input::Patch => {
+            out.extend(tile(s, drawn).map(f32::from_bits));
+            out.extend(patch(s).map(|x| x as f32));
+        }
+        Input::Plain => put(&patch(s)),
         Input::Factors => {
             let factor = if s.pick(8) == 0 { 0.0 } else { s.log_uniform(1e-3, 1.0) };
             put(&if s.pick(2) == 0 { [1.0, factor] } else { [factor, 1.0] });
@@ -130,6 +138,18 @@ fn whole(s: &mut Source) -> u32 {
     if s.pick(2) == 0 { bits } else { bits.wrapping_neg() }
 }
 
+/// A pixel's tile: the first one in half of the cases, or near it, far away, at the ends.
+///
+/// Stretched details are near: how much they are stretched is a root, and in tile t a pixel lies where t roots end. A
+/// driver that rounds the root otherwise has another place, and bounds of that say nothing.
+fn tile(s: &mut Source, drawn: &Drawn) -> [u32; 2] {
+    match s.pick(2) {
+        0 => [0; 2],
+        _ if drawn.stretched => [0; 2].map(|_| (s.pick(9) as u32).wrapping_sub(4)),
+        _ => [whole(s), whole(s)],
+    }
+}
+
 /// An exponent of a grid, and now and then one far beyond.
 fn level(s: &mut Source) -> u32 {
     match s.pick(8) {
@@ -164,6 +184,7 @@ fn biscale(s: &mut Source, drawn: &mut Drawn) -> [f64; 4] {
     let mut fraction = || if s.pick(6) == 0 { 1.0 } else { s.log_uniform(0.02, 1.0) };
     let [f, g] = [fraction(), fraction()];
     let [b, g] = if s.pick(3) == 0 { [a, f] } else { [b, g] };
+    drawn.stretched = [b, g] != [a, f];
     drawn.lobe = Some(LobeInput { ellipse: Ellipse { x: a, y: b, rho: 0.0 }, mean: [0.0; 2] });
     [a, b, f, g]
 }

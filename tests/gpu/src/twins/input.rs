@@ -105,8 +105,10 @@ pub enum Input {
     Biscale,
     /// Glints with all their numbers.
     Glints,
-    /// A pixel's place on a surface and its sides.
+    /// A pixel's place on a surface, by tile and fraction, and its sides.
     Patch,
+    /// Plain coordinates and sides, as three arguments.
+    Plain,
     /// What coordinates are compressed by.
     Factors,
     /// A unit half vector above the surface; near the lobe drawn before it, where there is one.
@@ -135,6 +137,8 @@ pub enum Input {
 #[derive(Default)]
 pub(super) struct Drawn {
     pub(super) lobe: Option<LobeInput>,
+    /// Whether details are longer along an axis.
+    pub(super) stretched: bool,
     mean: [f64; 2],
 }
 
@@ -174,8 +178,8 @@ impl Input {
             Self::Lobe | Self::Groove => 5,
             Self::Mirroring => 10,
             Self::Facets | Self::Numbers => 7,
-            Self::Covering | Self::Pair | Self::Unorm | Self::Patch | Self::Mirrored => 6,
-            Self::Glints => 8,
+            Self::Covering | Self::Pair | Self::Unorm | Self::Plain | Self::Mirrored => 6,
+            Self::Glints | Self::Patch => 8,
             Self::Halves => 9,
             Self::Frames => 36,
             _ => 1,

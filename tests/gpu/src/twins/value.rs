@@ -105,7 +105,8 @@ impl<'a> Reader<'a> {
     }
 
     pub(super) fn patch<R: Real>(&mut self) -> Patch<R> {
-        Patch::new(self.vec::<R, 2>(), self.vec::<R, 2>(), self.vec::<R, 2>())
+        let tile = self.index();
+        Patch::in_tile(tile, self.vec::<R, 2>(), self.vec::<R, 2>(), self.vec::<R, 2>())
     }
 
     pub(super) fn filter(&mut self) -> PixelFilter {
