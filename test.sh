@@ -162,7 +162,7 @@ run_tests() { cargo test "$@" 2>&1 | tee -a "$tests" || failures+=("cargo test $
 
 # The tools' tests run the examples.
 step "Tests build"
-cargo build --quiet --package lobe --features probe --examples
+cargo build --quiet --workspace --features probe --examples
 cargo test --quiet --workspace --features probe --lib --bins --tests --no-run
 step "Tests: laws, golden tables, corpus, texts, tools, twins"
 run_tests --workspace --features probe --lib --bins --tests --no-fail-fast

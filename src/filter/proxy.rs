@@ -155,9 +155,9 @@ fn mirror_factor<R: Real>(lobe: &Psd<R>, kernel: &Psd<R>) -> R {
 fn positive_root<R: Real>(d: R, m: R, e: R) -> R {
     let twice = (R::TWO * d * e).min(R::MAX);
     let scale = m.max(twice);
-    if d > R::ZERO && !(scale > R::ZERO) {
-        // Neither is a number of this precision: a mirror over a small area.
-        return e / d;
+    if !(scale > R::ZERO) {
+        // A mirror: over a small area m is 0 and 2 d e is no number of this precision; along a line no t gives e.
+        return if d > R::ZERO { e / d.max(R::MIN_POSITIVE) } else { R::ZERO };
     }
     let scale = scale.max(R::MIN_POSITIVE);
     let (x, y) = ((m / scale).kept(), (twice / scale).kept());
@@ -257,7 +257,12 @@ impl<R: Real> Roughness<R> {
             let ratio = R::ONE / (R::PI * peak).max(least_peak);
             positive_root(kernel.root_det(), matrix.mixed_det(kernel), ratio)
         };
-        let factor = factor.max(R::lit(least)).min(R::lit(most));
+        // A sum without area has a peak without end, which no t has: then `peak` is 0.
+        let factor = if peak > R::ZERO {
+            factor.max(R::lit(least)).min(R::lit(most))
+        } else {
+            R::lit(least)
+        };
         self.plus(&Self::from_matrix(kernel.scaled(factor)))
     }
 }

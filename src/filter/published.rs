@@ -5,9 +5,7 @@
 //! times too large within two alphas of the peak, and worse beyond) or far from the lobe; [`Ndf::rectangle_mean`](crate::Ndf::rectangle_mean) does not.
 
 use crate::error::Error;
-use crate::ndf::Ggx;
-use crate::scalar::{Psd, Real};
-use crate::slope::{Full, Roughness};
+use crate::scalar::Real;
 
 /// The shorthand of Appendix A, $\varphi(x, y, \gamma, \delta) = \frac{x}{\sqrt{x^2 + \gamma^2}}
 /// \arctan \frac{\gamma y}{\delta \sqrt{x^2 + \gamma^2}}$.
@@ -34,9 +32,7 @@ fn eight_terms<R: Real>(alphas: [R; 2], slope: [R; 2], reach: [R; 2]) -> R {
 /// Mean of the centred GGX $P_{22}$ over `slope +- widths/2`, by Appendix A with its corners mended.
 ///
 /// $\frac{1}{2\pi w_x w_y} \sum \pm\varphi$ over the corners $s \pm w/2$. Exact in exact arithmetic; see
-/// the module for f32. `alphas` along the axes of the rectangle; 0 unless both widths are positive and no alpha is
-/// negative. Where an alpha is 0, or has no square in this precision, the terms divide by it: the mean is then that of
-/// [`Ndf::rectangle_mean`](crate::Ndf::rectangle_mean), of a mirror or a groove.
+/// the module for f32. `alphas` along the axes of the rectangle; all four positive, else 0.
 ///
 /// Source: Kaplanyan et al. 2016, Eq. 16 and Appendix A. Departs from the print in the corners: the
 /// printed prefactor belongs to half the printed reach.
@@ -53,18 +49,9 @@ pub fn kaplanyan_rectangle_mean<R: Real>(
     slope: impl Into<[R; 2]>,
     widths: impl Into<[R; 2]>,
 ) -> R {
-    let (alphas, slope, widths) = (alphas.into(), slope.into(), widths.into());
-    let [x, y] = alphas;
-    let least = x.min(y);
-    if least >= R::ZERO && least * least < R::MIN_POSITIVE {
-        let positive = widths[0] > R::ZERO && widths[1] > R::ZERO;
-        let matrix = Psd::from_axes(x, y, R::ONE, R::ZERO);
-        let mean =
-            Ggx::new(Full::new(Roughness::from_matrix(matrix))).rectangle_mean(slope, widths);
-        return if positive { mean } else { R::ZERO };
-    }
+    let (alphas, widths) = (alphas.into(), widths.into());
     let reach = widths.map(|w| R::HALF * w);
-    normalised(alphas, widths, eight_terms(alphas, slope, reach))
+    normalised(alphas, widths, eight_terms(alphas, slope.into(), reach))
 }
 
 /// The same as printed: corners `slope -+ widths` under the prefactor of half that reach.

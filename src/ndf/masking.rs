@@ -74,8 +74,8 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
         let w = w.into();
         let c = self.shape().mean_area(w).max(S::Scalar::ZERO);
         let excess = D::excess(c, self.shape().stretch_squared(w));
-        // Both are 0 below the horizon of a mirror.
-        c / (c + excess).max(S::Scalar::MIN_POSITIVE)
+        // Both are 0 below the horizon of a mirror; `max` drops the NaN of an infinite direction.
+        (c / (c + excess).max(S::Scalar::MIN_POSITIVE)).max(S::Scalar::ZERO)
     }
 
     /// Height-correlated masking and shadowing $G_2 = 1/(1 + \Lambda_o + \Lambda_i)$, in \[0, 1\]; 0

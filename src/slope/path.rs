@@ -38,7 +38,8 @@ impl<R: Real> Vertex<R> {
         let position = position.into();
         // Scaled by the largest component: squares of far positions overflow f32.
         let scale = position.iter().fold(R::ZERO, |m, x| m.max(x.abs()));
-        let invertible = scale.min(R::ONE) * R::MAX >= R::ONE;
+        // Kept: compared with 1/MAX instead, which is subnormal, 0 would pass where subnormal numbers are flushed.
+        let invertible = (scale.min(R::ONE) * R::MAX).kept() >= R::ONE;
         if !(invertible && position.iter().all(|x| x.is_finite())) {
             return Err(Error::Direction);
         }

@@ -2,6 +2,8 @@
 
 // WGSL only: a call of `limit` in Rust.
 const LOBE_GROOVE_LIMIT: f32 = 281474976710656.0;
+// WGSL only: a sixteenth of the largest number.
+const LOBE_GROOVE_SQUARES: f32 = 2.1267647892944573e37;
 
 // Rust: `may_be_unresolved`.
 fn lobe_groove_may_be_unresolved(root_det: f32, longer_side_squared: f32) -> bool {
@@ -17,7 +19,7 @@ struct LobeGrooveCovered {
 // Rust: `unresolved`: whether it is some.
 fn lobe_groove_is_unresolved(shape: LobeFull, longer_side_squared: f32, footprint: LobeFootprint) -> bool {
     let root_det = shape.root_det;
-    if !(root_det >= LOBE_MIN_POSITIVE && longer_side_squared <= LOBE_MAX * 0.0625) {
+    if !(root_det >= LOBE_MIN_POSITIVE && longer_side_squared <= LOBE_GROOVE_SQUARES) {
         return true;
     }
     let major = lobe_full_major(shape);

@@ -75,10 +75,10 @@ fn lobe_proxy_mirror_factor(lobe: LobePsd, kernel: LobePsd) -> f32 {
 fn lobe_proxy_positive_root(d: f32, m: f32, e: f32) -> f32 {
     let twice = lobe_below_infinity(2.0 * d * e);
     let scale = lobe_max(m, twice);
-    if d > 0.0 && !(scale > 0.0) {
-        return e / d;
-    }
     let least = lobe_max(scale, LOBE_MIN_POSITIVE);
+    if !(scale > 0.0) {
+        return select(0.0, e / lobe_max(d, LOBE_MIN_POSITIVE), d > 0.0);
+    }
     let x = lobe_kept(m / least);
     let y = lobe_kept(twice / least);
     let sum = m + least * sqrt(x * x + y * y);
@@ -131,6 +131,6 @@ fn lobe_roughness_with_peak(
             kernel.root_det, lobe_psd_mixed_det(psd, kernel), 1.0 / lobe_max(LOBE_PI * peak, LOBE_MIN_POSITIVE)
         );
     }
-    let bounded = lobe_min(lobe_max(factor, least), most);
+    let bounded = select(least, lobe_min(lobe_max(factor, least), most), peak > 0.0);
     return LobeRoughness(lobe_psd_plus(psd, lobe_psd_scaled(kernel, bounded)));
 }

@@ -22,14 +22,6 @@ fn lobe_published_eight_terms(alphas: vec2f, slope: vec2f, reach: vec2f) -> f32 
 
 // Rust: `kaplanyan_rectangle_mean`. 0 for NaN.
 fn lobe_kaplanyan_rectangle_mean(alphas: vec2f, slope: vec2f, widths: vec2f) -> f32 {
-    let least = lobe_min(alphas.x, alphas.y);
-    if least >= 0.0 && least * least < LOBE_MIN_POSITIVE {
-        if !(widths.x > 0.0 && widths.y > 0.0) {
-            return 0.0;
-        }
-        let full = lobe_full_new(LobeRoughness(lobe_psd_from_axes(alphas.x, alphas.y, 1.0, 0.0)));
-        return lobe_ggx_rectangle_mean(LobeTilted(full, vec2f(0.0, 0.0)), slope, widths);
-    }
     let terms = lobe_published_eight_terms(alphas, slope, vec2f(0.5 * widths.x, 0.5 * widths.y));
     return lobe_published_normalised(alphas, widths, terms);
 }

@@ -12,7 +12,7 @@ fn lobe_lambda_of(c: f32, excess: f32) -> f32 {
 
 // WGSL only: `Ndf::g1` of the same. 0 for NaN.
 fn lobe_masking_of(c: f32, excess: f32) -> f32 {
-    return c / lobe_max(c + excess, LOBE_MIN_POSITIVE);
+    return lobe_max(c / lobe_max(c + excess, LOBE_MIN_POSITIVE), 0.0);
 }
 
 // WGSL only: `Ndf::visibility_terms`: the sum, of two directions' even areas.

@@ -17,7 +17,7 @@ struct LobePath {
 fn lobe_vertex_at(position: vec3f) -> LobeVertex {
     let none = LobeVertex(vec3f(0.0, 0.0, 0.0), 0.0);
     let scale = lobe_max(lobe_max(lobe_max(0.0, abs(position.x)), abs(position.y)), abs(position.z));
-    let invertible = lobe_min(scale, 1.0) * LOBE_MAX >= 1.0;
+    let invertible = lobe_kept(lobe_min(scale, 1.0) * LOBE_MAX) >= 1.0;
     if !(invertible && lobe_footprint_is_known(position)) {
         return none;
     }

@@ -83,6 +83,7 @@ struct int2 {
 };
 
 struct uint2 {
+    explicit uint2(int2 a) : x(uint(a.x)), y(uint(a.y)) {}
     union { struct { uint x, y; }; uint data[2]; };
     VECTOR(uint2, uint, 2)
     uint2(uint a, uint b) : x(a), y(b) {}
@@ -90,12 +91,13 @@ struct uint2 {
 
 struct uint4 {
     struct XYZW { using Scalar = uint; static constexpr int SIZE = 4; };
-    union { struct { uint x, y, z, w; }; uint data[4]; Swizzle<XYZW, uint2, 0, 1> xy; };
+    union { struct { uint x, y, z, w; }; uint data[4]; Swizzle<XYZW, uint2, 0, 1> xy; Swizzle<XYZW, uint2, 2, 3> zw; };
     VECTOR(uint4, uint, 4)
     OPERATOR(uint4, ^)
     OPERATOR(uint4, >>)
     uint4(uint a, uint b, uint c, uint d) : x(a), y(b), z(c), w(d) {}
     uint4(uint2 a, uint b, uint c) : x(a.x), y(a.y), z(b), w(c) {}
+    uint4(uint2 a, uint2 b) : x(a.x), y(a.y), z(b.x), w(b.y) {}
 };
 
 // A matrix by its columns.

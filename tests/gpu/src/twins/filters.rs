@@ -211,10 +211,6 @@ super::twins! {
     "kaplanyan_rectangle_mean" (Alphas, Slope, Widths) "lobe_kaplanyan_rectangle_mean($0, $1, $2)" => |x| {
         kaplanyan_rectangle_mean(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>())
     };
-    "kaplanyan_rectangle_mean" (Size, Size, Slope, Widths)
-        "lobe_kaplanyan_rectangle_mean(vec2f($0, $1), $2, $3)" => |x| {
-        kaplanyan_rectangle_mean(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>())
-    };
     "kaplanyan_rectangle_mean_as_printed" (Alphas, Slope, Widths)
         "lobe_kaplanyan_rectangle_mean_as_printed($0, $1, $2)" => |x| {
         kaplanyan_rectangle_mean_as_printed(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>())
