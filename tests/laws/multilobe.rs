@@ -37,8 +37,8 @@ fn square(k: usize) -> (f64, u32) {
 fn every_pixel_s_density_integrates_to_one() {
     for index in 0..2 {
         let variants = variants(pixel([1.0, 1e3][index as usize], index));
-        // Every other pixel of an ordinary run has the variants that its neighbour leaves out.
-        let (first, step) = size((2 * index as usize, 4), (0, 1));
+        // An ordinary run takes some variants of each pixel, and others of the next.
+        let (first, step) = size((4 * index as usize, 8), (0, 1));
         for (k, pixel) in variants.iter().enumerate().skip(first).step_by(step) {
             let (reach, nodes) = square(k);
             let whole = integral(|slope| pixel.slope_pdf(slope), reach, nodes);

@@ -1,5 +1,9 @@
 //! What the literature says about the order of filters, found again in small runs.
 
+#[path = "../../../tests/common/size.rs"]
+#[allow(dead_code, unreachable_pub, reason = "shared with the law tests")]
+mod size;
+
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -49,7 +53,7 @@ impl Rows {
 /// under a box. Projected-disk covariance beats the axis-aligned rectangle (Tokuyoshi 2017; Tokuyoshi & Kaplanyan 2021).
 #[test]
 fn every_filter_beats_none_and_the_disk_s_covariance_beats_rectangles() {
-    for scene in ["water", "sphere", "torus"] {
+    for scene in size::size(["water"].as_slice(), &["water", "sphere", "torus"]) {
         let rows = Rows::of(scene, "144");
         let none = rows.rmse("none (1 sample)");
         let mut count = 0;

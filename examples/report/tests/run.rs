@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::LazyLock;
 
 /// Runs the report into an empty folder; its standard output and its page.
 fn run(name: &str, arguments: &[&str]) -> (String, String) {
@@ -31,6 +32,12 @@ fn run(name: &str, arguments: &[&str]) -> (String, String) {
     )
 }
 
+/// Text and page of the scene water, which several tests read.
+static WATER: LazyLock<(String, String)> = LazyLock::new(|| run("water", &["--scene", "water"]));
+
+/// Text and page of the scene torus, which has neither motion nor relief nor glints.
+static TORUS: LazyLock<(String, String)> = LazyLock::new(|| run("torus-only", &["--scene", "torus"]));
+
 /// Every `src`, `href`, `url(` and `@import` of a page points into the page.
 fn assert_self_contained(page: &str) {
     for attribute in ["src=\"", "href=\""] {
@@ -46,8 +53,8 @@ fn assert_self_contained(page: &str) {
 
 #[test]
 fn water_gives_one_self_contained_page_with_finite_numbers() {
-    let (text, page) = run("water", &["--scene", "water"]);
-    assert_self_contained(&page);
+    let (text, page) = &*WATER;
+    assert_self_contained(page);
     // One for each distribution; two of water in motion; four measures under two pixels and two figures of Eq. 20.
     assert_eq!(page.matches("<svg").count(), 2 + 2 + 4 * 2 + 2);
     // On water one filter is the best by RMSE and by SMAPE: no second picture.
@@ -70,7 +77,7 @@ fn water_gives_one_self_contained_page_with_finite_numbers() {
 
 #[test]
 fn filters_without_a_renderer_stand_in_text_and_page() {
-    let (text, page) = run("kernels", &["--scene", "water"]);
+    let (text, page) = &*WATER;
     let line = |name: &str| text.lines().find(|line| line.starts_with(name)).unwrap();
     // Eq. 20's last form is 1/pi of the peak of a large box, all but the mass beyond it.
     assert!(line("Eq. 20, last form").contains("\u{2212}68"), "{text}");
@@ -203,7 +210,7 @@ fn water_and_mapped_ball_are_shown_in_motion_and_a_user_s_map_on_the_ball() {
     let (text, _) = run("own", &["--scene", "mapped-sphere", "--normal-map", map]);
     assert!(text.contains("sphere: leather, turning") && !text.contains("diamond"), "{text}");
 
-    let (text, page) = run("still", &["--scene", "torus"]);
+    let (text, page) = &*TORUS;
     assert!(!text.contains("turning") && !page.contains("In motion"));
 }
 
@@ -219,7 +226,7 @@ fn relief_has_pictures_tables_and_charts_of_its_own() {
     for wrong in ["NaN", "inf "] {
         assert!(!text.contains(wrong) && !page.contains(wrong), "{wrong} in\n{text}");
     }
-    let (text, page) = run("no relief", &["--scene", "torus"]);
+    let (text, page) = &*TORUS;
     assert!(!text.contains("LEADR") && !page.contains("LEADR"));
 }
 
@@ -255,6 +262,6 @@ fn glints_have_pictures_tables_and_charts_of_their_own() {
     for name in names.split_whitespace() {
         assert!(data.contains(&format!("\"{name}\": ")), "{name}");
     }
-    let (text, page) = run("no glints", &["--scene", "torus"]);
+    let (text, page) = &*TORUS;
     assert!(!text.contains("Glints") && !page.contains("Glints"));
 }
