@@ -4,7 +4,7 @@
 # where they are missing. With node and npm, Chrome's WGSL compiler checks the shaders, too.
 #
 #   ./test.sh          all of it, laws and twins on a share of their cases
-#   ./test.sh --fast   formatting, lints and the tests; no documentation, no other sets of features
+#   ./test.sh --fast   formatting, lints, laws, texts, tools and twins in exact mode: after each edit
 #   ./test.sh --long   all of it at full size, with release builds: about an hour
 #
 # Before the last line stands what each step took, the slowest first. The last line is the sum over all
@@ -174,22 +174,30 @@ feature_sets() {
     refuses "lobe needs one of the features" cargo check --package lobe --no-default-features
 }
 
-# The tools' tests run the examples.
+# The tools' tests run the examples. All packages are selected in every call: another selection would compile dependencies
+# with other features.
+all=(--workspace --features probe)
 step "Tests build"
-cargo build --quiet --workspace --features probe --examples
-cargo test --quiet --workspace --features probe --lib --bins --tests --no-run
-step "Tests: laws, golden tables, corpus, texts, tools, twins"
-run_tests --workspace --features probe --lib --bins --tests --no-fail-fast
-
+cargo build --quiet "${all[@]}" --examples
 if [[ $size == fast ]]; then
-    skip "documentation and its examples, sets of features, no_std, Tint, fuzz targets (--fast)"
+    suites=(--test laws --test texts --test tools --test cli)
+    cargo test --quiet "${all[@]}" "${suites[@]}" --test drivers --no-run
+    step "Tests: laws, golden tables, corpus, texts, tools"
+    run_tests "${all[@]}" "${suites[@]}" --no-fail-fast
+    step "Tests: twins in exact mode"
+    run_tests "${all[@]}" --test drivers exact_mode_equals_rust
+    skip "other tests of the GPU and the report, documentation and its examples, sets of features, no_std, Tint, fuzz targets (--fast)"
 else
+    cargo test --quiet "${all[@]}" --lib --bins --tests --no-run
+    step "Tests: laws, golden tables, corpus, texts, tools, twins"
+    run_tests "${all[@]}" --lib --bins --tests --no-fail-fast
+
     # One crate at a time is compiled for these: they run beside the steps that follow, in a target folder of their own.
     feature_sets >"$sets" 2>&1 &
     beside=$!
 
     step "Tests: examples in the documentation"
-    run_tests --workspace --features probe --no-fail-fast --doc
+    run_tests "${all[@]}" --no-fail-fast --doc
 
     step "Documentation"
     RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
@@ -199,9 +207,6 @@ else
     cargo build --quiet --manifest-path tests/no_std/Cargo.toml
     cargo build --quiet --manifest-path tests/no_std/Cargo.toml --features glam
     refuses "E0152" cargo build --manifest-path tests/no_std/Cargo.toml --features std
-
-    step "WGSL without the feature published: its items are named, the rest is whole"
-    run_tests --package lobe --no-default-features --features std,wgsl --test texts
 
     # Chrome's WGSL compiler refuses what naga accepts: derivatives that not every pixel of a quad reaches.
     tint=tests/gpu/tint
@@ -232,6 +237,9 @@ fi
 if [[ $size == long ]]; then
     step "validate: the library against its golden tables, as a user runs it"
     cargo run --quiet --release --example validate || failures+=("validate")
+
+    step "WGSL without the feature published: its items are named, the rest is whole"
+    run_tests --package lobe --no-default-features --features std,wgsl --test texts
 
     step "Benches build"
     cargo bench --workspace --no-run --quiet

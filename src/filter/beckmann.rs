@@ -2,7 +2,7 @@
 //!
 //! Floor 3.
 
-use super::groove::share;
+use super::groove::{limit, share};
 use crate::scalar::Real;
 use crate::scalar::exact::{two_product, two_sum};
 use crate::scalar::quadrature::{GAUSS_EIGHT, GAUSS_FOUR};
@@ -26,9 +26,11 @@ fn exp_minus_square<R: Real>(x: R, x_low: R) -> R {
 /// more than $2^{48}$ alphas (f32; $2^{106}$ in f64) is a mirror's.
 fn mean_along<R: Real>(slope: R, width: R, alpha: R) -> R {
     let (centre, half) = (slope.abs(), R::HALF * width.abs());
-    let longest = R::lit(4.0) / (R::EPSILON * R::EPSILON);
-    if alpha >= R::MIN_POSITIVE && half <= longest * alpha {
+    if alpha >= R::MIN_POSITIVE && half <= limit::<R>() * alpha {
         return unit_mean(slope, width, alpha) / alpha;
+    }
+    if !(alpha >= R::ZERO) {
+        return R::ZERO;
     }
     let share = share(half - centre);
     if half > R::ZERO { share / half * R::HALF } else { R::ZERO }

@@ -1,7 +1,7 @@
 //! Mirrors and grooves over a footprint: lobes so narrow that all of their mass lies at a point or on a line.
 //!
-//! Floor 3. A mirror has A = 0, a groove an A of rank one. A lobe whose narrower axis twice the precision does not
-//! resolve against the footprint is one or the other, too: its whitened coordinates leave the range of the precision.
+//! Floor 3. A mirror has A = 0, a groove has an A of rank one. A lobe also counts as one of them if the footprint is longer
+//! than [`limit`] of the lobe's narrower alpha: its whitened coordinates would leave the range of the precision.
 
 use crate::scalar::Real;
 use crate::scalar::exact::{cross, two_sum};
@@ -10,11 +10,11 @@ use crate::slope::{Footprint, Shape};
 /// Length of a footprint in units of the lobe beyond which the lobe counts as a mirror or as a groove: one over the
 /// squared unit of rounding, $2^{48}$ in f32 and $2^{106}$ in f64.
 #[inline(always)]
-fn limit<R: Real>() -> R {
+pub(super) fn limit<R: Real>() -> R {
     R::lit(4.0) / (R::EPSILON * R::EPSILON)
 }
 
-/// False for most lobes that a footprint resolves; true for a mirror, a groove, and lobes that [`unresolved`] has to judge.
+/// False for most lobes that a footprint resolves. True for a mirror, for a groove, and for lobes that [`unresolved`] must look at.
 #[inline(always)]
 pub(super) fn may_be_unresolved<R: Real>(root_det: R, longer_side_squared: R) -> bool {
     !(root_det >= R::MIN_POSITIVE && longer_side_squared <= limit::<R>() * limit::<R>())
@@ -47,8 +47,8 @@ pub(super) fn unresolved<S: Shape>(
     let has_squares = longer_side_squared <= S::Scalar::MAX * sixteenth;
     if root_det >= S::Scalar::MIN_POSITIVE && has_squares {
         let (axis, alpha) = shape.major();
-        let (minor, limit) = (root_det / alpha, limit::<S::Scalar>());
-        let thick = alpha * limit <= footprint.area() / footprint.largest_component();
+        let (minor, limit) = ((root_det / alpha).kept(), limit::<S::Scalar>());
+        let thick = is_mirror(alpha, footprint);
         let brushed = alpha >= S::Scalar::lit(f64::from(1 << 24)) * minor;
         if !(thick || (brushed && reach_across(axis, footprint) >= limit * minor)) {
             return None;
@@ -63,6 +63,34 @@ pub(super) fn reach_across<R: Real>(axis: [R; 2], footprint: &Footprint<R>) -> R
     cross(axis, footprint.u).abs().max(cross(axis, footprint.v).abs())
 }
 
+/// True for a lobe that is a mirror to the footprint: one that the footprint's thickness exceeds by the limit.
+#[inline(always)]
+fn is_mirror<R: Real>(alpha: R, footprint: &Footprint<R>) -> bool {
+    let thickness = (footprint.area() / footprint.largest_component().max(R::MIN_POSITIVE)).kept();
+    alpha * limit() <= thickness
+}
+
+/// How many times as long as wide a lobe is that counts as a groove where the footprint resolves it.
+pub(super) const BRUSHED: f64 = 300.0;
+
+/// What a footprint with this `mean` covers of a lobe whose density at the footprint's centre is no normal number: of a
+/// brushed lobe its groove, of any other one the mean slope.
+#[inline(never)]
+pub(super) fn seen<S: Shape>(
+    shape: &S,
+    offset: ([S::Scalar; 2], [S::Scalar; 2]),
+    footprint: &Footprint<S::Scalar>,
+    mean: S::Scalar,
+) -> Covered<S::Scalar> {
+    let zero = S::Scalar::ZERO;
+    let (_, alpha) = shape.major();
+    let groove = covered(shape, offset, footprint);
+    if alpha * alpha < S::Scalar::lit(BRUSHED) * shape.root_det() {
+        return Covered { mean, place: [zero; 2] };
+    }
+    Covered { mean: if groove.mean > zero { mean } else { zero }, ..groove }
+}
+
 /// What a footprint covers of the lobe as a mirror, or, if the footprint resolves its major axis, as a groove.
 #[inline(never)]
 pub(super) fn covered<S: Shape>(
@@ -71,7 +99,7 @@ pub(super) fn covered<S: Shape>(
     footprint: &Footprint<S::Scalar>,
 ) -> Covered<S::Scalar> {
     let (axis, alpha) = shape.major();
-    if alpha * limit() <= footprint.largest_component() {
+    if is_mirror(alpha, footprint) {
         Covered { mean: mirror_mean(offset, footprint), place: [S::Scalar::ZERO; 2] }
     } else {
         groove(axis, alpha, offset, footprint)
@@ -145,18 +173,19 @@ fn mirror_mean<R: Real>(offset: ([R; 2], [R; 2]), footprint: &Footprint<R>) -> R
 ///
 /// The cumulative $x/(2 S_x)$ cancels on short intervals and on far ones. Its difference, divided by y - x, is the
 /// quotient above. For x and y on one side of the mean, $S_x S_y - x y = \alpha^2 \frac{\alpha^2 + x^2 + y^2}{S_x S_y +
-/// x y}$: a sum of positive terms only. Not both ends and alpha are 0.
+/// x y}$: a sum of positive terms only. An end at 0 is on the mean, and has half of the mass beside it, however small alpha
+/// is. Not both ends and alpha are 0.
 #[inline(always)]
 fn marginal_mean<R: Real>(alpha: R, x: R, y: R) -> R {
     // In units of the largest of the three, so that no square leaves the range.
     let inverse = R::ONE / alpha.max(x.abs()).max(y.abs());
-    let (alpha, x, y) = (alpha * inverse, x * inverse, y * inverse);
-    let square = alpha * alpha;
+    let [alpha, x, y] = [alpha, x, y].map(|x| (x * inverse).kept());
+    let square = (alpha * alpha).max(R::MIN_POSITIVE);
     let (s_x, s_y) = ((square + x * x).sqrt(), (square + y * y).sqrt());
     let (product, ends) = (x * y, s_x * s_y);
     let beside = square * ((square + x * x + y * y) / (ends + product.abs()));
     let excess = if product > R::ZERO { beside } else { ends - product };
-    inverse * ((square + excess) / (R::TWO * ends * (s_x + s_y)))
+    inverse * ((square + excess) / (R::TWO * ends * (s_x + s_y))).kept()
 }
 
 /// The mean over a groove along the unit vector `axis`: the mass of the chord that the footprint cuts from the line
@@ -181,7 +210,7 @@ fn groove<R: Real>(
         return Covered { mean: zero, place: [zero; 2] };
     }
 
-    // The corner that lies farthest beyond the line, on its other side than the centre.
+    // The corner that lies farthest beyond the line, seen from the footprint's centre.
     let apart = Border::new(offset, [zero; 2], [zero; 2]).cross(axis);
     let side = if apart < zero { -half } else { half };
     let beyond = |w: [R; 2], along: R| {
@@ -202,8 +231,8 @@ fn groove<R: Real>(
         let [from, to] = ends(v, u, along_u);
         (start, end) = (start.max(from), end.min(to));
     }
-    // Along a side that lies along the groove and is short against it, the mean comes from its middle; along any other
-    // from where the chord is densest: what secant.rs tends to for a narrow lobe.
+    // If a side lies along the groove (`short` is 0) and the chord is short against alpha, the mean comes from the chord's
+    // middle; in all other cases it comes from the chord's densest point. secant.rs tends to this for a narrow lobe.
     let densest = zero.max(start).min(end);
     let (middle, length) = (half * (start + end), end - start);
     let reach = R::lit(4.0) * (alpha * alpha + densest * densest);

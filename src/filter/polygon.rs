@@ -6,7 +6,7 @@
 //! footprint in floating point; the size of the parallelogram against its distance from the lobe decides
 //! among some that agree where they meet:
 //!
-//! - far larger than twice the precision resolves against the lobe, a mirror's among them: a point or a line (groove.rs);
+//! - longer than $2^{48}$ lobes ($2^{106}$ in f64), or over a mirror or a groove: the lobe is a point or a line (groove.rs);
 //! - small: tensor Gauss-Legendre, no transcendental function;
 //! - thick, and around or beside the lobe: the sum over the four edges, straight from the corners (edges.rs);
 //! - narrow: exact means along the long side, Gauss-Legendre across (strip.rs);
@@ -262,18 +262,18 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         }
         let mean = self.mean_of(&whitened, offset, footprint);
         if !(pi_point >= S::Scalar::MIN_POSITIVE) {
-            // So narrow a lobe, or so low a half vector: only a footprint that reaches the lobe has a mean.
-            let covered = groove::covered(self.shape(), offset, footprint);
-            let seen = z > zero && covered.mean > zero;
-            let covered = groove::Covered { mean, ..covered };
-            return if seen { self.groove_over(wo, wi, covered).max(brdf) } else { brdf };
+            // The lobe is so narrow, or the half vector so low, that its density is no normal number: what is left is a
+            // footprint that reaches the lobe.
+            let seen = groove::seen(self.shape(), offset, footprint, mean);
+            let reached = z > zero && seen.mean > zero;
+            return if reached { self.groove_over(wo, wi, seen).max(brdf) } else { brdf };
         }
         let ratio = (mean * S::Scalar::PI / pi_point).min(S::Scalar::MAX).sqrt();
         let groove = || self.groove_place(offset, footprint);
         let secant = secant_ratio([x, y], form / root_det, ratio, footprint, &whitened, groove);
         let factor = ratio * secant;
         // `max` drops NaN: of a NaN footprint, or of 0 times infinity.
-        (brdf * factor * factor).max(zero).min(S::Scalar::MAX)
+        ((brdf * factor).kept() * factor).max(zero).min(S::Scalar::MAX)
     }
 
     /// [`Ndf::brdf_over`] of a mirror or a groove, for a half vector above the surface: the density of normals that its
@@ -288,12 +288,12 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         let [x, y] = self.at_place(place);
         let secant2 = S::Scalar::ONE + x * x + y * y;
         // `max` drops NaN: of 0 times infinity.
-        let filtered = mean * self.visibility(wo, wi) * secant2 * secant2;
+        let filtered = ((mean * self.visibility(wo, wi)).kept() * secant2).kept() * secant2;
         filtered.max(S::Scalar::ZERO).min(S::Scalar::MAX)
     }
 
-    /// If the lobe is a few hundred times as long as wide, and the footprint reaches as far across it: the slope that the
-    /// mean comes from, and its q.
+    /// The slope that the mean comes from, and its q, if the lobe is at least 300 times as long as wide and the footprint
+    /// reaches at least 300 of the lobe's widths across it; else none.
     #[inline(never)]
     fn groove_place(
         &self,
@@ -301,12 +301,12 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         footprint: &Footprint<S::Scalar>,
     ) -> Option<([S::Scalar; 2], S::Scalar)> {
         let (axis, alpha) = self.shape().major();
-        let least = S::Scalar::lit(300.0) * self.shape().root_det();
+        let least = S::Scalar::lit(groove::BRUSHED) * self.shape().root_det();
         if !(alpha * alpha.min(groove::reach_across(axis, footprint)) >= least) {
             return None;
         }
         let place = groove::covered(self.shape(), offset, footprint).place;
-        let [x, y] = place.map(|x| x / alpha);
+        let [x, y] = place.map(|x| (x / alpha).kept());
         Some((self.at_place(place), x * x + y * y))
     }
 

@@ -93,7 +93,7 @@ struct Whitened<R> {
 }
 
 impl<R: Real> Whitened<R> {
-    /// `None` for a mirror, and for a kernel so large that the lobe is one before it.
+    /// `None` for a mirror or a groove, and for a kernel so large (a trace above 1e18) that the lobe counts as one.
     #[inline(always)]
     fn of(lobe: &Psd<R>, kernel: &Psd<R>) -> Option<Self> {
         if lobe.is_singular() {
@@ -123,10 +123,8 @@ impl<R: Real> Whitened<R> {
         let kappa = R::HALF * self.trace;
         let s = kappa.sqrt();
         let lit = R::lit;
-        // Beyond 1e24 nothing is left of it, and its cubes leave the range of f32.
-        let (k, root) = (kappa.min(lit(1e24)), s.min(lit(1e12)));
-        let round = (R::ONE + lit(1.5226) * root)
-            / (R::ONE + lit(1.5377) * root + lit(2.508) * k + lit(0.22979) * k * root);
+        let round = (R::ONE + lit(1.5226) * s)
+            / (R::ONE + lit(1.5377) * s + lit(2.508) * kappa + lit(0.22979) * kappa * s);
         let ratio = (self.root_det / kappa.max(R::MIN_POSITIVE)).kept();
         let line = (R::ONE - ratio * ratio).max(R::ZERO);
         let minor = R::HALF * self.root_det * ratio;
@@ -156,7 +154,7 @@ fn positive_root<R: Real>(d: R, m: R, e: R) -> R {
     let twice = (R::TWO * d * e).min(R::MAX);
     let scale = m.max(twice);
     if !(scale > R::ZERO) {
-        // A mirror: over a small area m is 0 and 2 d e is no number of this precision; along a line no t gives e.
+        // A mirror. Over a small area, m is 0 and 2 d e underflows to 0: t = e/d. Along a line d is 0, and no t gives e.
         return if d > R::ZERO { e / d.max(R::MIN_POSITIVE) } else { R::ZERO };
     }
     let scale = scale.max(R::MIN_POSITIVE);
@@ -249,7 +247,7 @@ impl<R: Real> Roughness<R> {
     fn with_peak(&self, kernel: &Psd<R>, peak: R, [least, most]: [f64; 2]) -> Self {
         let matrix = self.matrix();
         let root_det = Full::new(*self).root_det();
-        // A kernel that spreads a lobe so far leaves no peak to divide by.
+        // The peak of a lobe under a very wide kernel underflows: it must not become a divisor of 0.
         let least_peak = R::MIN_POSITIVE;
         let factor = if let Some(whitened) = Whitened::of(&matrix, kernel) {
             whitened.factor(R::ONE / (R::PI * peak * root_det).max(least_peak))
@@ -257,7 +255,7 @@ impl<R: Real> Roughness<R> {
             let ratio = R::ONE / (R::PI * peak).max(least_peak);
             positive_root(kernel.root_det(), matrix.mixed_det(kernel), ratio)
         };
-        // A sum without area has a peak without end, which no t has: then `peak` is 0.
+        // `peak` is 0 if the averaged density has no finite peak. No t gives such a peak; the least one is taken.
         let factor = if peak > R::ZERO {
             factor.max(R::lit(least)).min(R::lit(most))
         } else {

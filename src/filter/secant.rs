@@ -16,8 +16,8 @@ use crate::slope::Footprint;
 /// footprint's own rate of slope to whitened slope. For isotropic lobes that is $1 + \alpha^2 q_*$ whatever the first
 /// slope. Between 1 and the farthest corner's value.
 ///
-/// `groove` answers where whitened sides are nearly parallel: the first slope and its q, if the lobe is so much narrower
-/// along one axis that the footprint takes it for a groove.
+/// `groove` is called only if the whitened sides are nearly parallel. It returns the first slope and its q if the lobe is so
+/// much narrower along one axis that it is a groove to the footprint.
 #[inline]
 pub(super) fn secant_ratio<R: Real>(
     slope: [R; 2],
@@ -32,8 +32,8 @@ pub(super) fn secant_ratio<R: Real>(
     let there = ((one + q - ratio) / ratio.max(least)).max(zero).min(R::MAX);
     let (u_squared, v_squared) = (dot(u, u), dot(v, v));
     let area = u[0] * v[1] - u[1] * v[0];
-    // A quotient, as f32 has no fourth powers of a billion lobes.
-    let parallel = area * (area / u_squared.max(least)) <= R::lit(1e-6) * v_squared;
+    // By a quotient: the fourth power of a billion lobes leaves the range of f32.
+    let parallel = area * (area / u_squared.max(least)).kept() <= R::lit(1e-6) * v_squared;
     let as_groove = if parallel { groove() } else { None };
     let (s, first_squared) = as_groove.unwrap_or_else(|| {
         let [i, j, first] = first_place(whitened, u_squared, v_squared, area, parallel);
@@ -41,7 +41,7 @@ pub(super) fn secant_ratio<R: Real>(
     });
 
     let sides = dot(footprint.u, footprint.u) + dot(footprint.v, footprint.v);
-    let rate = sides / (u_squared + v_squared).max(least);
+    let rate = (sides / (u_squared + v_squared).max(least)).kept();
     let corner =
         [0, 1].map(|k| slope[k].abs() + R::HALF * (footprint.u[k].abs() + footprint.v[k].abs()));
     let secant = one + dot(s, s) + (there - first_squared) * rate;

@@ -38,13 +38,14 @@ impl<R: Real> Vertex<R> {
         let position = position.into();
         // Scaled by the largest component: squares of far positions overflow f32.
         let scale = position.iter().fold(R::ZERO, |m, x| m.max(x.abs()));
-        // Kept: compared with 1/MAX instead, which is subnormal, 0 would pass where subnormal numbers are flushed.
+        // Kept, so that no compiler compares `scale` with 1/MAX instead: 1/MAX is subnormal, and where subnormal numbers are
+        // flushed to 0, a `scale` of 0 would pass.
         let invertible = (scale.min(R::ONE) * R::MAX).kept() >= R::ONE;
         if !(invertible && position.iter().all(|x| x.is_finite())) {
             return Err(Error::Direction);
         }
         let unit = position.map(|x| (x / scale).kept());
-        // At least 1, but where a GPU's quotient by the largest numbers is 0.
+        // The exact length is at least 1. On GPUs that flush the quotient by a huge `scale` to 0, `max` restores that.
         let length = dot(unit, unit).sqrt().max(R::ONE);
         Ok(Self { direction: unit.map(|x| x / length), inverse_distance: R::ONE / length / scale })
     }

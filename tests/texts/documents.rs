@@ -1,4 +1,5 @@
 //! Tables in the documentation are printed by programs: this holds them to it.
+#![cfg(feature = "published")]
 
 #[allow(dead_code)]
 #[path = "../../examples/presets.rs"]

@@ -1,5 +1,5 @@
 //! The mirror's texts, word by word: nothing that compilers answer differently, no name that translators change.
-#![cfg(feature = "wgsl")]
+#![cfg(all(feature = "wgsl", feature = "glint"))]
 
 use crate::entry::{Device, Shader, declared, names};
 use crate::translate::{self, Language, translate};

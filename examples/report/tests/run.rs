@@ -36,7 +36,8 @@ fn run(name: &str, arguments: &[&str]) -> (String, String) {
 static WATER: LazyLock<(String, String)> = LazyLock::new(|| run("water", &["--scene", "water"]));
 
 /// Text and page of the scene torus, which has neither motion nor relief nor glints.
-static TORUS: LazyLock<(String, String)> = LazyLock::new(|| run("torus-only", &["--scene", "torus"]));
+static TORUS: LazyLock<(String, String)> =
+    LazyLock::new(|| run("torus-only", &["--scene", "torus"]));
 
 /// Every `src`, `href`, `url(` and `@import` of a page points into the page.
 fn assert_self_contained(page: &str) {

@@ -19,7 +19,7 @@ fn lobe_beckmann_mean_along(slope: f32, width: f32, alpha: f32) -> f32 {
     if alpha >= LOBE_MIN_POSITIVE && half <= LOBE_GROOVE_LIMIT * alpha {
         return lobe_beckmann_unit_mean(slope, width, alpha) / alpha;
     }
-    if half > 0.0 {
+    if half > 0.0 && alpha >= 0.0 {
         return lobe_groove_share(half - abs(slope)) / half * 0.5;
     }
     return 0.0;

@@ -3,7 +3,7 @@
 // WGSL only: a call of `limit` in Rust.
 const LOBE_GROOVE_LIMIT: f32 = 281474976710656.0;
 // WGSL only: a sixteenth of the largest number.
-const LOBE_GROOVE_SQUARES: f32 = 2.1267647892944573e37;
+const LOBE_GROOVE_SQUARES: f32 = 2.1267646664908054e37;
 
 // Rust: `may_be_unresolved`.
 fn lobe_groove_may_be_unresolved(root_det: f32, longer_side_squared: f32) -> bool {
@@ -23,9 +23,8 @@ fn lobe_groove_is_unresolved(shape: LobeFull, longer_side_squared: f32, footprin
         return true;
     }
     let major = lobe_full_major(shape);
-    let minor = root_det / major.z;
-    let sides = lobe_footprint_area(footprint) / lobe_footprint_largest_component(footprint);
-    let thick = major.z * LOBE_GROOVE_LIMIT <= sides;
+    let minor = lobe_kept(root_det / major.z);
+    let thick = lobe_groove_is_mirror(major.z, footprint);
     let brushed = major.z >= 16777216.0 * minor;
     return thick || (brushed && lobe_groove_reach_across(major.xy, footprint) >= LOBE_GROOVE_LIMIT * minor);
 }
@@ -35,10 +34,29 @@ fn lobe_groove_reach_across(axis: vec2f, footprint: LobeFootprint) -> f32 {
     return lobe_max(abs(lobe_cross(axis, footprint.u)), abs(lobe_cross(axis, footprint.v)));
 }
 
+// Rust: `is_mirror`.
+fn lobe_groove_is_mirror(alpha: f32, footprint: LobeFootprint) -> bool {
+    let largest = lobe_max(lobe_footprint_largest_component(footprint), LOBE_MIN_POSITIVE);
+    return alpha * LOBE_GROOVE_LIMIT <= lobe_kept(lobe_footprint_area(footprint) / largest);
+}
+
+// Rust: `BRUSHED`.
+const LOBE_GROOVE_BRUSHED: f32 = 300.0;
+
+// Rust: `seen`.
+fn lobe_groove_seen(shape: LobeFull, offset: vec4f, footprint: LobeFootprint, mean: f32) -> LobeGrooveCovered {
+    let alpha = lobe_full_major(shape).z;
+    let groove = lobe_groove_covered(shape, offset, footprint);
+    if alpha * alpha < LOBE_GROOVE_BRUSHED * shape.root_det {
+        return LobeGrooveCovered(mean, vec2f(0.0, 0.0));
+    }
+    return LobeGrooveCovered(select(0.0, mean, groove.mean > 0.0), groove.place);
+}
+
 // Rust: `covered`.
 fn lobe_groove_covered(shape: LobeFull, offset: vec4f, footprint: LobeFootprint) -> LobeGrooveCovered {
     let major = lobe_full_major(shape);
-    if major.z * LOBE_GROOVE_LIMIT <= lobe_footprint_largest_component(footprint) {
+    if lobe_groove_is_mirror(major.z, footprint) {
         return LobeGrooveCovered(lobe_groove_mirror_mean(offset, footprint), vec2f(0.0, 0.0));
     }
     return lobe_groove_of(major.xy, major.z, offset, footprint);
@@ -104,17 +122,17 @@ fn lobe_groove_between(offset: vec4f, other: vec2f, side: vec2f) -> f32 {
 // Rust: `marginal_mean`.
 fn lobe_groove_marginal_mean(alpha: f32, start: f32, end: f32) -> f32 {
     let inverse = 1.0 / lobe_max(lobe_max(alpha, abs(start)), abs(end));
-    let a = alpha * inverse;
-    let x = start * inverse;
-    let y = end * inverse;
-    let square = a * a;
+    let a = lobe_kept(alpha * inverse);
+    let x = lobe_kept(start * inverse);
+    let y = lobe_kept(end * inverse);
+    let square = lobe_max(a * a, LOBE_MIN_POSITIVE);
     let s_x = sqrt(square + x * x);
     let s_y = sqrt(square + y * y);
     let product = x * y;
     let ends = s_x * s_y;
     let beside = square * ((square + x * x + y * y) / (ends + abs(product)));
     let excess = select(ends - product, beside, product > 0.0);
-    return inverse * ((square + excess) / (2.0 * ends * (s_x + s_y)));
+    return inverse * lobe_kept((square + excess) / (2.0 * ends * (s_x + s_y)));
 }
 
 // Rust: `groove`.

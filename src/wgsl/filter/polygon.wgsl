@@ -145,14 +145,14 @@ fn lobe_ggx_brdf_over(shape: LobeTilted, wo: vec3f, wi: vec3f, footprint: LobeFo
     }
     let mean = lobe_polygon_mean_of(shape.shape, whitened, offset, sides);
     if !(at_point >= LOBE_MIN_POSITIVE) {
-        let covered = lobe_groove_covered(shape.shape, offset, sides);
-        let over = lobe_polygon_groove_over(shape, wo, wi, LobeGrooveCovered(mean, covered.place));
-        return select(brdf, lobe_max(over, brdf), z.x > 0.0 && covered.mean > 0.0);
+        let seen = lobe_groove_seen(shape.shape, offset, sides, mean);
+        let over = lobe_polygon_groove_over(shape, wo, wi, seen);
+        return select(brdf, lobe_max(over, brdf), z.x > 0.0 && seen.mean > 0.0);
     }
     let ratio = sqrt(lobe_below_infinity(mean * LOBE_PI / at_point));
     let groove = lobe_polygon_groove_place(shape, whitened, offset, sides);
     let factor = ratio * lobe_secant_ratio(slope, form / root_det, ratio, sides, whitened, groove);
-    return lobe_below_infinity(lobe_max(brdf * factor * factor, 0.0));
+    return lobe_below_infinity(lobe_max(lobe_defined(lobe_kept(brdf * factor) * factor), 0.0));
 }
 
 // Rust: `Ndf::groove_over`. 0 for NaN.
@@ -160,7 +160,7 @@ fn lobe_polygon_groove_over(shape: LobeTilted, wo: vec3f, wi: vec3f, covered: Lo
     let s = lobe_polygon_at_place(shape, covered.place);
     let secant_squared = 1.0 + s.x * s.x + s.y * s.y;
     let visibility = lobe_ggx_visibility(lobe_tilted_view(shape, wo), lobe_tilted_view(shape, wi));
-    let filtered = covered.mean * visibility * secant_squared * secant_squared;
+    let filtered = lobe_kept(lobe_kept(covered.mean * visibility) * secant_squared) * secant_squared;
     return lobe_below_infinity(lobe_max(lobe_defined(filtered), 0.0));
 }
 
@@ -175,12 +175,12 @@ fn lobe_polygon_groove_place(
     let major = lobe_full_major(shape.shape);
     let alpha = major.z;
     let across = lobe_groove_reach_across(major.xy, footprint);
-    if !(alpha * lobe_min(alpha, across) >= 300.0 * shape.shape.root_det) {
+    if !(alpha * lobe_min(alpha, across) >= LOBE_GROOVE_BRUSHED * shape.shape.root_det) {
         return none;
     }
     let place = lobe_groove_covered(shape.shape, offset, footprint).place;
-    let x = place.x / alpha;
-    let y = place.y / alpha;
+    let x = lobe_kept(place.x / alpha);
+    let y = lobe_kept(place.y / alpha);
     return LobeSecantFirst(true, lobe_polygon_at_place(shape, place), x * x + y * y);
 }
 

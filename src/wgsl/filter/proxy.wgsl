@@ -46,10 +46,7 @@ fn lobe_proxy_factor(proxy: LobeProxy, r: f32) -> f32 {
 fn lobe_proxy_fitted_factor(proxy: LobeProxy) -> f32 {
     let kappa = 0.5 * proxy.trace;
     let s = sqrt(kappa);
-    // Beyond 1e24 nothing is left of it, and its cubes leave the range.
-    let k = lobe_min(kappa, 1e24);
-    let root = lobe_min(s, 1e12);
-    let round = (1.0 + 1.5226 * root) / (1.0 + 1.5377 * root + 2.508 * k + 0.22979 * k * root);
+    let round = (1.0 + 1.5226 * s) / (1.0 + 1.5377 * s + 2.508 * kappa + 0.22979 * kappa * s);
     let ratio = lobe_kept(proxy.root_det / lobe_max(kappa, LOBE_MIN_POSITIVE));
     let line = lobe_max(1.0 - ratio * ratio, 0.0);
     let minor = 0.5 * proxy.root_det * ratio;

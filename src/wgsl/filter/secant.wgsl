@@ -11,7 +11,7 @@ struct LobeSecantFirst {
 fn lobe_secant_is_parallel(w: LobeWhitened) -> bool {
     let u_squared = lobe_strip_dot(w.u, w.u);
     let area = w.u.x * w.v.y - w.u.y * w.v.x;
-    return area * (area / lobe_max(u_squared, LOBE_MIN_POSITIVE)) <= 1e-6 * lobe_strip_dot(w.v, w.v);
+    return area * lobe_kept(area / lobe_max(u_squared, LOBE_MIN_POSITIVE)) <= 1e-6 * lobe_strip_dot(w.v, w.v);
 }
 
 // Rust: `secant_ratio`.
@@ -31,7 +31,7 @@ fn lobe_secant_ratio(
         first_squared = place.z;
     }
     let sides = lobe_strip_dot(u, u) + lobe_strip_dot(v, v);
-    let rate = sides / lobe_max(u_squared + v_squared, LOBE_MIN_POSITIVE);
+    let rate = lobe_kept(sides / lobe_max(u_squared + v_squared, LOBE_MIN_POSITIVE));
     let corner = vec2f(
         abs(slope.x) + 0.5 * (abs(u.x) + abs(v.x)), abs(slope.y) + 0.5 * (abs(u.y) + abs(v.y))
     );
