@@ -451,6 +451,49 @@ fn beckmann_s_mean_tends_to_the_mirror_s() {
     assert_eq!(beckmann_rectangle_mean([0.0_f32, 0.1], [0.0, 0.0], [0.0, 0.1]), 0.0);
 }
 
+/// A footprint thinner than a groove is wide sees a part of the groove's marginal, however long the footprint is.
+#[test]
+fn a_thin_footprint_along_a_mirror_s_axis_resolves_the_groove() {
+    for (alpha, long, thin) in [(1e-6, 1e9, 1e-7), (1e-12, 300.0, 1e-13), (1e-3, 1e9, 0.01)] {
+        // Mass of the marginal x/(2 sqrt(1 + x^2)) between both ends, over the area.
+        let end = 0.5 * thin / alpha;
+        let want = end / (1.0_f64 + end * end).sqrt() / (long * thin);
+        let got = |turned: bool| {
+            let (alphas, u, v) = if turned {
+                ([alpha, 0.0], [0.0, long], [thin, 0.0])
+            } else {
+                ([0.0, alpha], [long, 0.0], [0.0, thin])
+            };
+            let [alphas, u, v] = [alphas, u, v].map(|pair| pair.map(|x| x as f32));
+            let lobe = AxisAligned::new(alphas[0], alphas[1]).expect("in range");
+            let mean = Ggx::new(lobe).parallelogram_mean([0.0; 2], &Footprint { u, v });
+            f64::from(mean)
+        };
+        for turned in [false, true] {
+            let got = got(turned);
+            assert!((got / want - 1.0).abs() < 1e-5, "{alpha:e} {turned}: {got:e} for {want:e}");
+        }
+    }
+}
+
+/// Round lobes have no axis: a quarter turn of the view and the footprint changes nothing, down to half vectors whose
+/// density is no normal number.
+#[test]
+fn a_quarter_turn_changes_no_round_lobe_at_low_half_vectors() {
+    for slope in [1e7_f32, 1e8, 4e8, 9e8] {
+        let mean = |turned: bool| {
+            let turn = |[x, y]: [f32; 2]| if turned { [-y, x] } else { [x, y] };
+            let [x, y] = turn([slope, 0.02]);
+            let length = (x * x + y * y + 1.0).sqrt();
+            let h = [-x / length, -y / length, 1.0 / length];
+            let footprint = Footprint { u: turn([1e9, 0.0]), v: turn([0.0, 0.02]) };
+            Ggx::new(Isotropic::new(0.01_f32).expect("in range")).brdf_over(h, h, &footprint)
+        };
+        let (straight, turned) = (mean(false), mean(true));
+        assert!((straight - turned).abs() <= 1e-4 * straight, "{slope:e}: {straight:e} {turned:e}");
+    }
+}
+
 /// The proxy over a footprint has the groove's peak, as it has any lobe's.
 #[test]
 fn the_proxy_of_a_groove_has_its_peak() {
