@@ -247,7 +247,8 @@ impl<R: Real> GlintLobe<R> {
                 let per_bin = R::TWO / ((one + h[2]) * side);
                 let x = h[0] * per_bin / l11.max(least);
                 let bin = [x, (h[1] * per_bin - l21 * x) / l22.max(least)];
-                Reflection { probability: peaks * (-exponent).exp(), bin }
+                // `max` drops a NaN.
+                Reflection { probability: (peaks * (-exponent).exp()).max(R::ZERO), bin }
             }
             Groove::AlongV => self.across(0, h, l, g),
             Groove::AlongU => self.across(1, h, l_along, g_along),
@@ -261,7 +262,8 @@ impl<R: Real> GlintLobe<R> {
         let offset = slope + self.mean[axis];
         let global = global.max(R::MIN_POSITIVE);
         let peaks = (local / global).min(R::ONE).sqrt();
-        let probability = peaks * (-(offset * offset / global)).exp();
+        // `max` drops a NaN.
+        let probability = (peaks * (-(offset * offset / global)).exp()).max(R::ZERO);
         let mut bin = [R::ZERO; 2];
         bin[axis] = slope / (R::PI.sqrt() * local.sqrt()).max(R::MIN_POSITIVE);
         Reflection { probability, bin }

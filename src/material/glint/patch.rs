@@ -116,7 +116,9 @@ impl<R: Real> Patch<R> {
         let length = |x: R, y: R| (x * x + y * y).sqrt();
         let twice = length(p[0] + q[1], p[1] - q[0]) + length(p[0] - q[1], p[1] + q[0]);
         // A pixel without extent has no sum to divide by.
-        long * (R::TWO * cross(p, q).abs() / twice.max(R::MIN_POSITIVE))
+        let width = long * (R::TWO * cross(p, q).abs() / twice.max(R::MIN_POSITIVE));
+        // `max` drops the NaN of infinite derivatives.
+        width.max(R::ZERO)
     }
 
     /// The same surface with its coordinates scaled, by factors in [0, 1].
