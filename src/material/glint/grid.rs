@@ -84,8 +84,8 @@ impl<R: Real> Grid<R> {
     pub fn stretched(patch: &Patch<R>, factors: [R; 2], least: R) -> Self {
         let [a, b] = patch.extents();
         let anisotropic = a.max(b) / R::lit(f64::from(ANISOTROPY_LIMIT));
-        // A tile times a factor leaves a fraction that is rounded as numbers up to 2 are.
-        let is_rounded = patch.tile != [0; 2] && factors != [R::ONE; 2];
+        // The fraction of a tile times a factor lies in [-2, 2], and is rounded as numbers of that size are.
+        let is_rounded = R::SINGLE && patch.tile != [0; 2] && factors != [R::ONE; 2];
         let distance = patch.distance().max(if is_rounded { R::TWO } else { R::ZERO });
         // `max` drops the NaN of a caller's.
         let size =

@@ -50,10 +50,12 @@ impl<R: Real> Patch<R> {
     /// triangles over several tiles, and loses precision by its own size only. Any tile of 32 bits will do. Cells are no smaller
     /// than $2^{-20} \max(|u|, |v|)$ of `uv` alone, and outside of tile 0 no smaller than $2^{-31}$.
     ///
-    /// Of stretched details ([`Grid::stretched`](super::Grid::stretched)) the exact product of coordinate and factor is taken. A
-    /// fraction is left of it that is right to $2^{-22}$ in f32, so cells are no smaller than $2^{-19}$ there. A far tile moves
-    /// with the factor, by as many tiles as times the factor's change: it should be a constant of the surface, and devices
-    /// whose square roots round differently have other cells far away.
+    /// For stretched details ([`Grid::stretched`](super::Grid::stretched)) coordinates are multiplied by a factor. The product
+    /// is taken exactly; its fraction is right to $2^{-22}$ in f32, so stretched cells outside of tile 0 are no smaller than
+    /// $2^{-19}$. In tile 0 they may be smaller: a pixel below that size on a border of tile 0 has other cells from there than
+    /// from the tile beside it. If the factor changes by d, the cells of tile t move by t d tiles: the factor should be a
+    /// constant of the surface. Devices whose square roots round differently have different factors, and so different cells
+    /// in far tiles.
     ///
     /// ```
     /// use lobe::material::glint::{Biscale, Glints, Patch};
