@@ -155,6 +155,21 @@ fn every_texel_is_the_weighted_merge_of_what_it_covers() {
     });
 }
 
+/// The end of a light island: shares of $2^{-9}$ on nine levels leave the first texel of level 9 a weight of 4e-33, too small
+/// for f32 to divide by. It counts as none, and the texel has the moments of the coarser one.
+#[test]
+fn a_weight_too_small_to_divide_by_is_none() {
+    let size = [(1 << 18) - 1, 1];
+    let (mut slopes, mut weights) = (vec![[-0.5_f32, 0.1]; size[0]], vec![0.0_f32; size[0]]);
+    (slopes[1022], weights[1022]) = ([0.5, 0.25], 1e-8);
+    weights[size[0] - 1] = 1.0;
+    let map = MomentMap::from_weighted_slopes(size, slopes, weights, Border::Clamp).expect("a map");
+    assert!(map.weight(9, 1, 0) > 0.0 && map.weight(9, 0, 0) == 0.0, "{}", map.weight(9, 0, 0));
+    assert_eq!(map.texel(9, 0, 0), map.texel(10, 0, 0));
+    let [x, y] = map.texel(9, 0, 0).mean();
+    assert!((x - 0.5).abs() < 1e-6 && (y - 0.25).abs() < 1e-6, "{x} {y}");
+}
+
 #[test]
 fn nothing_depends_on_slopes_without_weight() {
     check(1_000, |source| {

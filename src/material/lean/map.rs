@@ -56,7 +56,7 @@ pub struct MomentMap<R> {
     /// What levels' means are relative to: of a map of nearly equal slopes their middle, else 0.
     origin: [R; 2],
     pub(super) levels: Vec<Vec<Stored<R>>>,
-    /// Of each level, the map itself included; none where every texel counts the same.
+    /// The texels' weights of each level, the map itself included; empty if every texel counts the same.
     pub(super) weights: Vec<Vec<R>>,
 }
 

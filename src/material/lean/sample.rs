@@ -145,7 +145,7 @@ impl<R: Real> MomentMap<R> {
         let (mut sum, mut total) = at(0);
         for k in 1..count {
             let (probe, weight) = at(k);
-            // Probes without weight count among themselves alone.
+            // As long as no probe has weight, all count the same; the first one with weight replaces them.
             let (own, all) = if total + weight > R::ZERO {
                 (weight, total + weight)
             } else {

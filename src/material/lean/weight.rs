@@ -93,9 +93,10 @@ impl<R: Real> MomentMap<R> {
         self.weights.get(level).map_or(R::ONE, |weights| weights[self.place(level, column, row)])
     }
 
-    /// The shares of a lookup's texels by their weights; as they are where none counts.
+    /// The shares of a lookup's texels multiplied by the texels' weights and divided by their sum, and that sum.
     ///
-    /// With the total that they are divided by, 1 of a map without weights.
+    /// The shares are returned unchanged if no texel counts (the sum is then 0) and for a map without weights (the sum is
+    /// 1).
     pub(super) fn by_weight<const N: usize>(
         &self,
         shares: [R; N],
@@ -127,7 +128,7 @@ impl<R: Real> MomentMap<R> {
         for (slope, weight) in slopes.iter_mut().zip(&mut weights) {
             let relative = *weight / largest;
             *weight = if relative < R::lit(LEAST) { R::ZERO } else { relative };
-            // Until the chain is there: a slope that is valid, and far from none that counts.
+            // `fill` replaces it after the chain is built. Until then any valid slope near the others will do.
             if *weight == R::ZERO {
                 *slope = known;
             }
@@ -162,20 +163,25 @@ impl<R: Real> MomentMap<R> {
 /// Shares times weights, brought to sum 1, and their sum before; none if no weight counts.
 fn weighed<R: Real, const N: usize>(shares: &[R; N], weights: &[R; N]) -> Option<([R; N], R)> {
     let weighted: [R; N] = core::array::from_fn(|k| shares[k] * weights[k]);
-    let total = weighted.iter().fold(R::ZERO, |sum, &share| sum + share);
-    // Below, a quotient would have no digits.
-    let digits = total * R::EPSILON >= R::MIN_POSITIVE;
-    digits.then(|| (weighted.map(|share| share / total), total))
+    let total = total(&weighted);
+    (total > R::ZERO).then(|| (weighted.map(|share| share / total), total))
 }
 
-/// The weights of the next level.
+/// The sum of shares times weights; 0 where it is too small to divide by.
+fn total<R: Real>(weighted: &[R]) -> R {
+    let total = weighted.iter().fold(R::ZERO, |sum, &share| sum + share);
+    // Quotients by a smaller total would lose digits to underflow.
+    if total * R::EPSILON >= R::MIN_POSITIVE { total } else { R::ZERO }
+}
+
+/// The weights of the next level: above 0 where [`merge_rows`] makes moments, and 0 elsewhere.
 pub(super) fn coarser<R: Real>(weights: &[R], size: [usize; 2]) -> Vec<R> {
     let [columns, rows] = halved(size);
     let mut coarse = vec![R::ZERO; columns * rows];
     for (place, out) in coarse.iter_mut().enumerate() {
         let Block { places, shares } = Block::<R>::of(size, place % columns, place / columns);
-        *out =
-            places.iter().zip(&shares).fold(R::ZERO, |sum, (&k, &share)| sum + share * weights[k]);
+        let weighted: [R; 9] = core::array::from_fn(|k| shares[k] * weights[places[k]]);
+        *out = total(&weighted);
     }
     coarse
 }
@@ -195,7 +201,8 @@ pub(super) fn merge_rows<R: Real>(
         let own = places.map(|place| weights[place]);
         let Some((mut shares, _)) = weighed(&shares, &own) else { continue };
         let heaviest = (0..9).fold(0, |best, k| if shares[k] > shares[best] { k } else { best });
-        // The heaviest first, as the others are counted from it, and in the place of those without weight.
+        // The heaviest texel comes first, as `gathered` takes means relative to the first one. It also stands in for
+        // texels without weight, whose slopes may be anything.
         shares.swap(0, heaviest);
         let mut places =
             places.map(|place| if weights[place] > R::ZERO { place } else { places[heaviest] });
