@@ -23,15 +23,32 @@ const MAIN: &str = include_str!("cpp/main.hpp");
 /// Words that one item may read or write, as `main.hpp` has it.
 const WORDS: usize = 64;
 
+/// Words that a dictionary may have, as `main.hpp` has it.
+const DICTIONARY_WORDS: usize = 1 << 16;
+
 /// The C++ compilers of the system: `$CXX` alone where it is set, else `c++` and `clang++` as far as they are there.
+///
+/// # Panics
+///
+/// If `$CXX` is set and does not run.
 pub fn compilers() -> Vec<String> {
-    let names = std::env::var("CXX")
-        .map_or_else(|_| vec![String::from("c++"), String::from("clang++")], |name| vec![name]);
     let runs = |name: &String| {
-        let asked = Command::new(name).arg("--version").output();
+        let asked = command(name).arg("--version").output();
         asked.is_ok_and(|output| output.status.success())
     };
-    names.into_iter().filter(runs).collect()
+    if let Some(name) = std::env::var("CXX").ok().filter(|name| !name.trim().is_empty()) {
+        assert!(runs(&name), "$CXX does not run: {name}");
+        return vec![name];
+    }
+    [String::from("c++"), String::from("clang++")].into_iter().filter(runs).collect()
+}
+
+/// A compiler's name as a command; words after the first one are arguments, as in `ccache g++`.
+fn command(compiler: &str) -> Command {
+    let mut words = compiler.split_whitespace();
+    let mut command = Command::new(words.next().unwrap_or_default());
+    command.args(words);
+    command
 }
 
 /// A program that evaluates twins.
@@ -46,6 +63,10 @@ impl Program {
     /// # Errors
     ///
     /// What naga, the file system or the compiler says.
+    ///
+    /// # Panics
+    ///
+    /// If a twin or the dictionary has more words than `main.hpp` holds.
     pub fn new(
         compiler: &str,
         flags: &[&str],
@@ -55,7 +76,7 @@ impl Program {
         let source = path.with_extension("cpp");
         std::fs::write(&source, text(twins)?)
             .map_err(|error| format!("{}: {error}", source.display()))?;
-        let output = Command::new(compiler)
+        let output = command(compiler)
             .args(["-std=c++17", "-w", "-fno-strict-aliasing"])
             .args(flags)
             .args([source.as_path(), Path::new("-o"), path])
@@ -130,10 +151,10 @@ fn text(twins: &[Twin]) -> Result<String, String> {
         let (reads, writes) = (twin.reads(), twin.writes());
         let _ = writeln!(calls, "    run([] {{ twin_{k}_({arguments}); }}, {reads}, {writes});");
     }
-    let nodes = dictionary().len();
+    let words = 2 * dictionary().len();
+    assert!(words <= DICTIONARY_WORDS, "the dictionary has {words} words, main.hpp takes fewer");
     Ok(format!(
-        "{METAL}\n{metal}\n{MAIN}\nint main() {{\n    read_words(dictionary_words, {});\n{calls}}}\n",
-        2 * nodes
+        "{METAL}\n{metal}\n{MAIN}\nint main() {{\n    read_words(dictionary_words, {words});\n{calls}}}\n"
     ))
 }
 
@@ -152,9 +173,8 @@ fn put(k: u32, value: f32) {{ item_outputs[k] = bitcast<u32>(value); }}
 "
     );
     for (k, twin) in twins.iter().enumerate() {
-        if twin.reads() > WORDS {
-            return Err(format!("{} reads more than {WORDS} words", twin.name));
-        }
+        let most = twin.reads().max(twin.writes());
+        assert!(most <= WORDS, "{} reads or writes more than {WORDS} words", twin.name);
         let body = twin.body();
         let _ = write!(wgsl, "@compute @workgroup_size(1)\nfn twin_{k}_() {{\n{body}\n}}\n");
     }
