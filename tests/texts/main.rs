@@ -18,5 +18,6 @@ mod translate;
 mod documents;
 mod floors;
 mod mirror;
+mod modules;
 mod wgsl;
 mod wgsl_text;
