@@ -175,7 +175,7 @@ impl<'a> Levels<'a> {
                     Part::Raw => numbers(out, self.long.encode(&moments).map(f32::to_le_bytes)),
                     Part::Mean => {
                         let [x, y, ..] = self.short.encode(&moments);
-                        // Blue 0 points down: a mean is not mistaken for a normal map again.
+                        // Blue is 0, so the normals would point down: nobody bakes this file as a normal map by mistake.
                         numbers(out, [x, y, 0].map(u16::to_be_bytes));
                     }
                     Part::Second => {

@@ -51,7 +51,7 @@ fn bake(options: &Options, progress: &Progress) -> Result<Summary, String> {
     let start = Instant::now();
     let file = picture::bytes_of(&options.input).map_err(of_input)?;
     let picture = Picture::of(&file).map_err(of_input)?;
-    let (reading, trailing) = (start.elapsed(), picture.trailing());
+    let (reading, ignored) = (start.elapsed(), picture.ignored());
     // Before the work, for what cannot be written; of no name yet, and gone again if the work fails.
     let folder = Folder::new(&options.out, "bake")?;
 
@@ -71,7 +71,7 @@ fn bake(options: &Options, progress: &Progress) -> Result<Summary, String> {
     };
     let slopes = slopes.map_err(of_input)?;
     drop(file);
-    let looks = Looks::of(&slopes, trailing, options);
+    let looks = Looks::of(&slopes, ignored, options);
     let Slopes { rows, weights, clipped, decoding, converting, .. } = slopes;
 
     progress.stage("moments and mips");

@@ -58,7 +58,7 @@ impl Roughness {
         if self.wide { u16::MAX } else { u8::MAX.into() }
     }
 
-    /// The nearest code to a texel's roughness, halves up, and whether the roughness is above 1, which has none.
+    /// The code nearest to a texel's roughness (ties round up), and whether the roughness is above 1, which no code holds.
     pub(crate) fn code(&self, moments: &SlopeMoments<f32>) -> (u16, bool) {
         let alpha = match self.kind {
             Kind::Perceptual => self.base * self.base,

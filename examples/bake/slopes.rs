@@ -1,6 +1,6 @@
 //! A picture's texels as slopes, band by band on several threads.
 
-use super::channels::Channels;
+use super::channels::{ALPHA, Channels, place};
 use super::options::Relief;
 use super::picture::{Picture, Texel};
 use super::progress::Progress;
@@ -84,7 +84,7 @@ impl Slopes {
                 sum.clear += found.clear;
             }
             if let Some(weights) = &mut weights {
-                let alpha = texel.channels - 1;
+                let alpha = place(ALPHA, texel);
                 let texels = bytes.chunks_exact(texel.bytes());
                 if texel.wide {
                     weights.extend(texels.map(|texel| share(u16::at(texel, alpha))));
@@ -152,7 +152,8 @@ impl Slopes {
     }
 }
 
-/// What to say of texels of alpha 0 that count as all others, after something that they may have caused.
+/// The end of a message about what texels of alpha 0 may have caused: how many there are, and the option that leaves them
+/// out.
 pub(crate) fn clear(clear: usize, texels: usize) -> Option<String> {
     let percent = 100.0 * clear as f64 / texels as f64;
     let line = format!("; alpha is 0 in {percent:.1} % of all texels, which --coverage leaves out");
@@ -199,7 +200,7 @@ where
     [C; 3]: NormalTexel,
 {
     let mut found = Found::default();
-    let alpha = texel.has_alpha().then_some(texel.channels - 1);
+    let alpha = texel.has_alpha().then(|| place(ALPHA, texel));
     for (out, bytes) in out.iter_mut().zip(bytes.chunks_exact(texel.bytes())) {
         let at = |k: usize| C::at(bytes, k);
         let y = if normals.flip { at(y).opposite() } else { at(y) };

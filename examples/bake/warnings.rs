@@ -1,4 +1,4 @@
-//! What a baked map looks like: lines for the user to decide about.
+//! Warnings about a baked map: what it looks like, for the user to judge.
 
 use super::options::Options;
 use super::slopes::{self, Slopes};
@@ -26,12 +26,9 @@ pub(crate) struct Looks {
 }
 
 impl Looks {
-    /// Of slopes, their size and the bytes after their picture's end.
-    pub(crate) fn of(slopes: &Slopes, trailing: usize, options: &Options) -> Self {
-        let mut lines = Vec::new();
-        if trailing > 0 {
-            lines.push(format!("{trailing} bytes after the picture's end are ignored"));
-        }
+    /// The looks of slopes; `ignored` is what [`Picture::ignored`](super::picture::Picture::ignored) says of their picture.
+    pub(crate) fn of(slopes: &Slopes, ignored: Option<String>, options: &Options) -> Self {
+        let mut lines: Vec<_> = ignored.into_iter().collect();
         if options.height.is_none() {
             lines.extend(slopes.survey.hints());
         }

@@ -140,9 +140,10 @@ impl<'a> Picture<'a> {
         self.texel
     }
 
-    /// Bytes after the picture's end, which are ignored.
-    pub(crate) fn trailing(&self) -> usize {
-        self.trailing
+    /// A line about bytes after the picture's end, which are ignored; none if there are none.
+    pub(crate) fn ignored(&self) -> Option<String> {
+        let count = self.trailing;
+        (count > 0).then(|| format!("{count} bytes after the picture's end are ignored"))
     }
 
     /// Gives `take` the bytes of band after band, with the number of the first row.

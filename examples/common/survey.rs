@@ -1,6 +1,6 @@
 //! What a picture's texels look like: a normal map in the channels that are read, or something else.
 //!
-//! Values are counted, never judged one by one: a line is said of what holds for the whole picture.
+//! No texel is judged by itself: every message is about what holds for the whole picture.
 
 use super::channels::{ALPHA, Channels, place};
 use super::picture::Texel;
@@ -62,7 +62,7 @@ const NEARLY_GREY: f64 = 4.5 / 255.0;
 const NO_UNIT_VECTORS: f64 = 0.1;
 
 impl Survey {
-    /// Of no texel yet.
+    /// A survey that has counted no texel yet.
     pub(crate) fn new(channels: Channels, texel: Texel) -> Self {
         Self {
             channels,
@@ -104,7 +104,7 @@ impl Survey {
         let roles = [0, 1, 2].map(|role| place(role, texel));
         let largest: i64 = C::LARGEST.into();
         // A picture without alpha is opaque.
-        let alpha = self.has_alpha.then_some(texel.channels - 1);
+        let alpha = self.has_alpha.then(|| place(ALPHA, texel));
         let (mut low, mut high) = (self.low, self.high);
         let mut off = 0_i64;
         for texel in bytes.chunks_exact(texel.bytes()) {
@@ -200,8 +200,8 @@ impl Survey {
 
     /// The layout of two channels that the texels look like, if it is not the one that is read.
     ///
-    /// A constant blue is no z of varying normals, and constant x or y beside channels that vary are not the ones
-    /// meant. A constant blue that unit length asks for (of nearly flat maps) is none, unless alpha varies.
+    /// If blue is constant, it is not the z of normals that vary; if the channel read as x or y is constant and others vary,
+    /// another channel was meant. Nearly flat maps are exempt, as their z really is nearly constant, unless alpha varies.
     fn layout(&self) -> Option<&'static str> {
         const AG: &str = "looks like x in alpha and y in green (DXT5nm): --channels ag reads it so";
         const RA: &str = "looks like two channels in red and alpha: --channels ra or ar reads them";

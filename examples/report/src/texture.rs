@@ -30,10 +30,7 @@ impl Texture {
         let (size, texel) = (picture.size(), picture.texel());
         let places = channels.places(texel)?;
         let mut survey = Survey::new(channels, texel);
-        let mut hints = Vec::new();
-        if picture.trailing() > 0 {
-            hints.push(format!("{} bytes after the picture's end are ignored", picture.trailing()));
-        }
+        let mut hints: Vec<_> = picture.ignored().into_iter().collect();
         let mut normals = Vec::with_capacity(size[0] * size[1]);
         picture.bands(|_, bytes| {
             survey.add(bytes, texel, false)?;
