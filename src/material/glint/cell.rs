@@ -109,7 +109,7 @@ impl Cell {
 struct Centre {
     /// The odd number's lower word, which has its sign.
     odd: u32,
-    /// How many times $2^{32}$ are left: 0 of numbers of 32 bits.
+    /// The odd number less `odd` (as a signed number), in units of $2^{32}$: 0 if the number has 32 bits.
     more: u32,
     exponent: i32,
 }
@@ -170,7 +170,8 @@ mod tests {
         assert!(worst < 1.4 && above <= 4, "{worst}, {above} of {count} above 1.3");
     }
 
-    /// Of pairs of multiples within 40,000 only that of zeros adds 0 to the seed: far cells repeat no nearer.
+    /// No pair of multiples below 2^15 adds 0 to the seed, but for the pair of zeros: cells of equal words lie 2^47 cells
+    /// apart.
     #[test]
     fn no_short_pair_of_multiples_cancels() {
         // An odd number's inverse by Newton's rule, each step of which doubles the right bits, three at first.
@@ -180,7 +181,7 @@ mod tests {
         let other = |u: u32| u.wrapping_mul(FAR[0]).wrapping_mul(inverse).wrapping_neg() as i32;
         assert_eq!(other(7843), 47_809);
         for u in 1..=40_000 {
-            assert!(other(u).unsigned_abs() > 30_000, "{u} and {}", other(u));
+            assert!(other(u).unsigned_abs() > 1 << 15, "{u} and {}", other(u));
         }
     }
 

@@ -185,7 +185,7 @@ fn damage_anywhere_is_refused() {
     let data = (b"IDAT", pixels());
     let plain = whole(std::slice::from_ref(&data));
     // However few bytes are missing.
-    for missing in 1..plain.len() {
+    for missing in 1..=plain.len() {
         fs::write(&input, &plain[..plain.len() - missing]).expect("a file");
         let said = if missing == plain.len() { "empty" } else { "not a readable PNG" };
         complains(&bake(&input, &out, &[]), &["normal.png: ", said]);
