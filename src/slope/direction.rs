@@ -36,7 +36,7 @@ pub fn normalize<R: Real>(v: impl Into<[R; 3]>) -> [R; 3] {
         return [R::ZERO; 3];
     }
     let v = v.map(|x| (x / largest).kept());
-    // At least 1, but where a GPU's quotient by the largest numbers is 0.
+    // The exact length is at least 1. On GPUs that flush the quotient by a huge `largest` to 0, `max` restores that.
     let length = dot(v, v).sqrt().max(R::ONE);
     v.map(|x| x / length)
 }

@@ -2,7 +2,7 @@
 
 /// An ordinary run takes one case in this many of a law that counts its cases.
 ///
-/// The share still finds the mutations that the laws are there for; CONTRIBUTING.md says how that was tried.
+/// The share still finds the mutations that the laws are there for.
 const SHARE: u32 = 5;
 
 /// True in a long run: `./test.sh --long` sets the environment variable `LOBE_LONG`.

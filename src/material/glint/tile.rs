@@ -15,8 +15,9 @@ pub(crate) fn finest<R: Real>(tile: [i32; 2]) -> R {
     if tile == [0; 2] { R::ZERO } else { R::power_of_two(FINEST) }
 }
 
-/// The index that cells of size $2^k$ are counted from: of the tile's corner, or of the last cell before it where cells
-/// are larger than a tile. 0 of cells beyond $2^{30}$, which hold all tiles.
+/// The index that cells of size $2^k$ are counted from, k being `exponent`: that of the tile's corner, or, if cells are
+/// larger than a tile, that of the last cell centre not after it. It is 0 for cells above $2^{30}$, of which a few hold all
+/// tiles.
 #[inline]
 pub(crate) fn corner(tile: i32, exponent: i32) -> i64 {
     if exponent <= 0 {
@@ -58,7 +59,8 @@ pub(super) fn compressed<R: Real>(tile: i32, fraction: R, factor: R) -> (i32, R)
     (whole, part + fraction * factor)
 }
 
-/// A whole number and what is left, towards 0: a part of the other sign would have more bits than the number.
+/// The whole number next to x towards 0, and the fraction that is left. Rounded away from 0, a fraction could need more bits
+/// than x has.
 #[inline]
 fn split<R: Real>(x: R) -> (i32, R) {
     let size = x.abs().floor();
@@ -66,7 +68,7 @@ fn split<R: Real>(x: R) -> (i32, R) {
     (whole, exact(x - number(whole)))
 }
 
-/// A result that nothing rounds, to precisions that count roundings.
+/// Marks a result as exact, for precisions that count roundings (`probe::Rounded`).
 #[inline]
 fn exact<R: Real>(x: R) -> R {
     let (x, _) = x.with_rest(R::ZERO);

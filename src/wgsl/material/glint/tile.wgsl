@@ -60,7 +60,8 @@ fn lobe_tile_split(x: f32) -> LobeTilePlace {
     return LobeTilePlace(whole, x - lobe_tile_number(whole));
 }
 
-// Rust: `number`. By halves, which are floats: drivers may round a conversion as they like, a sum not.
+// Rust: `number`. Each half converts exactly, and their sum is rounded once; drivers may round the conversion of a whole
+// number of 32 bits as they like.
 fn lobe_tile_number(whole: i32) -> f32 {
     return f32(whole >> 16u) * lobe_power_of_two(16) + f32(whole & 0xffff);
 }

@@ -140,8 +140,8 @@ fn whole(s: &mut Source) -> u32 {
 
 /// A pixel's tile: the first one in half of the cases, or near it, far away, at the ends.
 ///
-/// Stretched details are near: how much they are stretched is a root, and in tile t a pixel lies where t roots end. A
-/// driver that rounds the root otherwise has another place, and bounds of that say nothing.
+/// Pixels of stretched details lie within 4 tiles of the origin. Their coordinates are multiplied by a square root: where a
+/// driver rounds it differently, a pixel in tile t moves by t times the difference, and far tiles would tell nothing.
 fn tile(s: &mut Source, drawn: &Drawn) -> [u32; 2] {
     match s.pick(2) {
         0 => [0; 2],
