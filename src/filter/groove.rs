@@ -73,6 +73,10 @@ fn is_mirror<R: Real>(alpha: R, footprint: &Footprint<R>) -> bool {
 /// How many times as long as wide a lobe is that counts as a groove where the footprint resolves it.
 pub(super) const BRUSHED: f64 = 300.0;
 
+/// How many times the density at the half vector a mean may be that the density still says something about. Greater
+/// quotients leave the range of f32.
+pub(super) const LARGEST_GAIN: f64 = 1e30;
+
 /// What a footprint with this `mean` covers of a lobe whose density at the footprint's centre is no normal number: of a
 /// brushed lobe its groove, of any other one the mean slope.
 #[inline(never)]

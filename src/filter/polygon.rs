@@ -261,14 +261,14 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
             }
         }
         let mean = self.mean_of(&whitened, offset, footprint);
-        if !(pi_point >= S::Scalar::MIN_POSITIVE) {
-            // The lobe is so narrow, or the half vector so low, that its density is no normal number: what is left is a
-            // footprint that reaches the lobe.
+        let most = S::Scalar::lit(groove::LARGEST_GAIN) * pi_point;
+        if !(pi_point >= S::Scalar::MIN_POSITIVE) || mean * S::Scalar::PI > most {
+            // The density at the half vector says nothing about the mean: a footprint that reaches the lobe has one.
             let seen = groove::seen(self.shape(), offset, footprint, mean);
             let reached = z > zero && seen.mean > zero;
             return if reached { self.groove_over(wo, wi, seen).max(brdf) } else { brdf };
         }
-        let ratio = (mean * S::Scalar::PI / pi_point).min(S::Scalar::MAX).sqrt();
+        let ratio = (mean * S::Scalar::PI / pi_point).sqrt();
         let groove = || self.groove_place(offset, footprint);
         let secant = secant_ratio([x, y], form / root_det, ratio, footprint, &whitened, groove);
         let factor = ratio * secant;

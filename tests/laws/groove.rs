@@ -494,6 +494,25 @@ fn a_quarter_turn_changes_no_round_lobe_at_low_half_vectors() {
     }
 }
 
+/// Brushed lobes whose density at the half vector is a tiny normal number: the BRDF over a pixel is continuous in the
+/// narrower alpha down to 0 there, too.
+#[test]
+fn brushed_lobes_keep_their_brdf_at_any_width() {
+    let (wo, wi) = ([0.6_f32, 0.0, 0.8], [-0.6, 0.008, 0.8]);
+    for (wide, pixel) in [(0.1, 0.02), (1.0, 0.02), (0.13, 0.3)] {
+        let over = |narrow: f32| {
+            let lobe = AxisAligned::new(wide, narrow).expect("in range");
+            Ggx::new(lobe).brdf_over(wo, wi, &Footprint::rectangle([pixel, pixel]))
+        };
+        let want = over(0.0);
+        for exponent in 60..200 {
+            let narrow = 10.0_f32.powf(-0.1 * exponent as f32);
+            let got = over(narrow);
+            assert!((got / want - 1.0).abs() < 1e-4, "{wide} {narrow:e}: {got} for {want}");
+        }
+    }
+}
+
 /// The proxy over a footprint has the groove's peak, as it has any lobe's.
 #[test]
 fn the_proxy_of_a_groove_has_its_peak() {

@@ -43,6 +43,9 @@ fn lobe_groove_is_mirror(alpha: f32, footprint: LobeFootprint) -> bool {
 // Rust: `BRUSHED`.
 const LOBE_GROOVE_BRUSHED: f32 = 300.0;
 
+// Rust: `LARGEST_GAIN`.
+const LOBE_GROOVE_LARGEST_GAIN: f32 = 1e30;
+
 // Rust: `seen`.
 fn lobe_groove_seen(shape: LobeFull, offset: vec4f, footprint: LobeFootprint, mean: f32) -> LobeGrooveCovered {
     let alpha = lobe_full_major(shape).z;

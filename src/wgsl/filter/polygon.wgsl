@@ -144,12 +144,12 @@ fn lobe_ggx_brdf_over(shape: LobeTilted, wo: vec3f, wi: vec3f, footprint: LobeFo
         }
     }
     let mean = lobe_polygon_mean_of(shape.shape, whitened, offset, sides);
-    if !(at_point >= LOBE_MIN_POSITIVE) {
+    if !(at_point >= LOBE_MIN_POSITIVE) || mean * LOBE_PI > LOBE_GROOVE_LARGEST_GAIN * at_point {
         let seen = lobe_groove_seen(shape.shape, offset, sides, mean);
         let over = lobe_polygon_groove_over(shape, wo, wi, seen);
         return select(brdf, lobe_max(over, brdf), z.x > 0.0 && seen.mean > 0.0);
     }
-    let ratio = sqrt(lobe_below_infinity(mean * LOBE_PI / at_point));
+    let ratio = sqrt(mean * LOBE_PI / at_point);
     let groove = lobe_polygon_groove_place(shape, whitened, offset, sides);
     let factor = ratio * lobe_secant_ratio(slope, form / root_det, ratio, sides, whitened, groove);
     return lobe_below_infinity(lobe_max(lobe_defined(lobe_kept(brdf * factor) * factor), 0.0));

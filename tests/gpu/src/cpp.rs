@@ -12,6 +12,7 @@ use std::process::{Command, Stdio};
 use lobe::wgsl::rebound;
 use naga::back::msl;
 
+use crate::size::size;
 use crate::twins::{Twin, dictionary, library};
 use lobe_report::spirv;
 
@@ -26,7 +27,8 @@ const WORDS: usize = 64;
 /// Words that a dictionary may have, as `main.hpp` has it.
 const DICTIONARY_WORDS: usize = 1 << 16;
 
-/// The C++ compilers of the system: `$CXX` alone where it is set, else `c++` and `clang++` as far as they are there.
+/// The C++ compilers of the system: `$CXX` alone where it is set, else `c++` and `clang++` as far as they are there. An
+/// ordinary run takes `clang++`, which assumes more, and `c++` only where that is missing.
 ///
 /// # Panics
 ///
@@ -40,7 +42,8 @@ pub fn compilers() -> Vec<String> {
         assert!(runs(&name), "$CXX does not run: {name}");
         return vec![name];
     }
-    [String::from("c++"), String::from("clang++")].into_iter().filter(runs).collect()
+    let all = [String::from("clang++"), String::from("c++")].into_iter().filter(runs);
+    all.take(size(1, 2)).collect()
 }
 
 /// A compiler's name as a command; words after the first one are arguments, as in `ccache g++`.
