@@ -6,6 +6,8 @@
 
 #[path = "../tests/budget.rs"]
 mod budget;
+#[path = "common/mistake.rs"]
+mod mistake;
 #[path = "../tests/common/tables/mod.rs"]
 mod tables;
 
@@ -162,13 +164,17 @@ fn run(options: &Options) -> Result<bool, String> {
     };
     match written {
         // A reader that has seen enough (`| head`) is no error.
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.to_string()),
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(format!("cannot write standard output: {error}")),
         _ => Ok(lines.iter().all(|line| line.over.is_none())),
     }
 }
 
 fn main() -> ExitCode {
-    match run(&Options::parse()) {
+    let options = match Options::try_parse() {
+        Ok(options) => options,
+        Err(error) => return mistake::told("validate", &error),
+    };
+    match run(&options) {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::from(1),
         Err(message) => {

@@ -6,7 +6,9 @@ use std::process::ExitCode;
 /// Prints a text. A reader that has seen enough (`| head`) is no error.
 pub(crate) fn print(text: &str) -> Result<(), String> {
     match std::io::stdout().lock().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error.to_string()),
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(format!("cannot write standard output: {error}"))
+        }
         _ => Ok(()),
     }
 }

@@ -5,6 +5,8 @@
 
 mod entry;
 mod link;
+#[path = "../common/mistake.rs"]
+mod mistake;
 mod output;
 #[path = "../common/print.rs"]
 mod print;
@@ -124,7 +126,10 @@ fn list() -> String {
 }
 
 fn main() -> ExitCode {
-    let options = Options::parse();
+    let options = match Options::try_parse() {
+        Ok(options) => options,
+        Err(error) => return mistake::told("wgsl", &error),
+    };
     match output(&options).and_then(|output| output.put(options.out.as_deref())) {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => print::failed("wgsl", &message, false),

@@ -376,6 +376,17 @@ fn rows_that_single_precision_cannot_take_are_counted() {
 }
 
 #[test]
+fn mistakes_on_the_command_line_are_one_line() {
+    for arguments in [["--foo"].as_slice(), &[""], &["a", "b"]] {
+        let output = validate(arguments);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.starts_with("validate: ") && message.lines().count() == 1, "{message}");
+        assert!(output.stdout.is_empty());
+    }
+}
+
+#[test]
 fn columns_may_come_in_any_order() {
     let folder = folder("order");
     let reversed: Vec<String> = golden("chermain_m")

@@ -146,7 +146,7 @@ fn linkers_get_the_files_that_they_need_and_no_other() {
 
 #[test]
 fn mistakes_are_one_line_that_names_them() {
-    let cases: [(&[&str], &str); 8] = [
+    let cases: [(&[&str], &str); 14] = [
         (&["--items", "ggx_d,ggx_e"], "`ggx_e`"),
         (&["--items", ""], "``"),
         (&["--preset", "plane"], "`plane`"),
@@ -155,6 +155,12 @@ fn mistakes_are_one_line_that_names_them() {
         (&["--items", "ggx_d", "--lang", "hlsl", "--entry"], "--entry"),
         (&[], "--items, --preset or --list"),
         (&["--items", "ggx_d", "--out", "/"], "cannot write /"),
+        (&["foo"], "'foo'"),
+        (&["--preset", "plain", "--list"], "--list"),
+        (&["--list", "--lang", "hlsl"], "--list"),
+        (&["--items", "a", "--items", "b"], "--items"),
+        (&["--items", "ggx_d", "--out", ""], "--out"),
+        (&["--items", "ggx_d", "--lang"], "--lang"),
     ];
     for (arguments, said) in cases {
         let complaint = complaint(arguments);
