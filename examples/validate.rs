@@ -30,7 +30,8 @@ use tables::{Outcome, Quantity, Table, evaluate, read_directory};
     Inputs that no f32 holds, as 0.1: f32 is judged at the nearest f32s, and the expected value is moved\n\
     there by the library in f64, expected + f64(nearest) - f64(given). f64 is judged by the expected value\n\
     as it stands. The output counts these rows (rounded) and names the first. Rows whose nearest f32s the\n\
-    library refuses are left out of f32 and counted.")]
+    library refuses or are 0 for what is none, whose expected value exceeds the range of f32, or whose move\n\
+    cancels (its roundings exceed 1e-9 of the moved value), are left out of f32 and counted.")]
 struct Options {
     /// Directory of CSV tables, one quantity each, named by the file's stem [default: the golden tables].
     directory: Option<PathBuf>,
@@ -78,7 +79,7 @@ impl<'a> Line<'a> {
             let (count, of, line) = (rounded.rows, source.rows.len(), source.lines[row]);
             let left_out = match rounded.refused {
                 0 => String::new(),
-                refused => format!("; {refused} left out, whose nearest {precision}s are no valid inputs"),
+                refused => format!("; {refused} left out, which {precision} cannot be judged by"),
             };
             format!(
                 "{table} {precision}: {count} of {of} rows have inputs that no {precision} holds and are judged at the \
@@ -164,7 +165,9 @@ fn run(options: &Options) -> Result<bool, String> {
     };
     match written {
         // A reader that has seen enough (`| head`) is no error.
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(format!("cannot write standard output: {error}")),
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(format!("cannot write standard output: {error}"))
+        }
         _ => Ok(lines.iter().all(|line| line.over.is_none())),
     }
 }

@@ -386,6 +386,27 @@ fn mistakes_on_the_command_line_are_one_line() {
     }
 }
 
+/// A move that cancels, and a roughness that becomes 0 in f32.
+#[test]
+fn rows_whose_move_says_nothing_are_left_out_of_single_precision() {
+    let header = "slope_x,slope_y,mean_x,mean_y,a_xx,a_xy,a_yy,expected";
+    let (small, density) = (1e-50, (-0.5_f64).exp() / std::f64::consts::PI);
+    let cancels = "0.700000018,0,0.700000016,0,1e-16,0,1e-16,3058287763569658.0";
+    let mirror = format!("0,0,0,0,{small:e},0,{small:e},3.1830988618379067e49");
+    let ggx = 1.0 / (std::f64::consts::PI * 1.5 * 1.5);
+    for (stem, row, other) in [("beckmann_p22", cancels, density), ("ggx_p22", &mirror, ggx)] {
+        let folder = folder("unjudged");
+        let table = format!("{header}\n{row}\n0.5,0.5,0,0,1,0,1,{other:e}\n");
+        fs::write(folder.join(format!("{stem}.csv")), table).unwrap();
+        let output = validate(&["--json", folder.to_str().unwrap()]);
+        let value: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        assert_eq!(value[0]["left_out"], 1, "{value}");
+        assert_eq!(value[0]["rows"], 1, "{value}");
+        assert!(value[0]["max_rel"].as_f64().unwrap() < 1e-5, "{value}");
+        assert_eq!(value[1]["rows"], 2, "{value}");
+    }
+}
+
 #[test]
 fn columns_may_come_in_any_order() {
     let folder = folder("order");

@@ -18,7 +18,9 @@ use lobe::{Error, Real};
 /// Inputs that `R` does not hold are rounded to it, and the row's expected values are moved to the rounded inputs by the library
 /// itself in f64, $expected + f_{64}(rounded) - f_{64}(given)$. The difference is small and its error that of f64, which is
 /// judged apart, against the expected values as they stand; so what is judged in `R` is neither the user's rounding nor
-/// the library's in f64. Rows whose rounded inputs the library refuses are left out and counted.
+/// the library's in f64. Rows are left out and counted whose rounded inputs the library refuses, have a zero for what
+/// is none, or have an expected value beyond the range of `R`; and rows of which the move says nothing, because its
+/// roundings, four epsilons of f64 times $|expected| + |f_{64}(given)|$, exceed 1e-9 of the largest moved value.
 ///
 /// An error is one line that names the file, and line and row that were refused.
 pub(crate) fn evaluate<R: Real>(table: &Table, quantity: &Quantity) -> Result<Outcome, String> {
@@ -41,10 +43,14 @@ pub(crate) fn evaluate<R: Real>(table: &Table, quantity: &Quantity) -> Result<Ou
         let here = double(given).map_err(refused)?;
         rounded.add(index, column);
         let there = if held.iter().all(|x| x.is_finite()) { double(&held).ok() } else { None };
-        match (there, single(&inputs)) {
-            (Some(there), Ok(got)) => {
-                let moved = |k: usize| expected[k] + (there[k] - here[k]);
-                let moved: Vec<f64> = (0..expected.len()).map(moved).collect();
+        let vanished = (0..given.len()).any(|k| held[k] == 0.0 && given[k] != 0.0);
+        let moved = there.filter(|_| !vanished).and_then(|there| {
+            let moved = |k: usize| expected[k] + (there[k] - here[k]);
+            let moved: Vec<f64> = (0..expected.len()).map(moved).collect();
+            is_trusted::<R>(&moved, expected, &here).then_some(moved)
+        });
+        match (moved, single(&inputs)) {
+            (Some(moved), Ok(got)) => {
                 deviations.push((index, Deviation::of(&got, &moved, quantity.signed)));
             }
             _ => rounded.refused += 1,
@@ -55,4 +61,13 @@ pub(crate) fn evaluate<R: Real>(table: &Table, quantity: &Quantity) -> Result<Ou
         _ => format!("{}: no row has inputs near which f32 has valid ones", table.path.display()),
     };
     Outcome::of(&deviations, rounded).ok_or_else(no_rows)
+}
+
+/// Whether moved values are within the range of `R`, and the roundings of the move below 1e-9 of the largest.
+fn is_trusted<R: Real>(moved: &[f64], expected: &[f64], here: &[f64]) -> bool {
+    let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let scale = largest(moved).max(R::MIN_POSITIVE.to_f64());
+    let rounding = 4.0 * f64::EPSILON * (largest(expected) + largest(here));
+    moved.iter().all(|x| x.is_finite() && R::lit(*x).to_f64().is_finite())
+        && rounding <= 1e-9 * scale
 }
