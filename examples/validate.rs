@@ -55,7 +55,7 @@ struct Line<'a> {
     rounded: usize,
     /// The first of them, counted from 1 below the header.
     first_rounded: Option<usize>,
-    /// Those among them whose rounded inputs the library refuses.
+    /// Those among them that the precision cannot be judged by.
     left_out: usize,
     #[serde(skip)]
     over: Option<String>,
