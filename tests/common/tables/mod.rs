@@ -58,7 +58,7 @@ pub(crate) fn evaluate<R: Real>(table: &Table, quantity: &Quantity) -> Result<Ou
     }
     let no_rows = || match rounded.refused {
         0 => format!("{}: no rows below the header", table.path.display()),
-        _ => format!("{}: no row has inputs near which f32 has valid ones", table.path.display()),
+        _ => format!("{}: no row by which f32 can be judged", table.path.display()),
     };
     Outcome::of(&deviations, rounded).ok_or_else(no_rows)
 }
