@@ -27,7 +27,8 @@ pub(crate) struct Options {
     /// warning.
     /// Heights without --height, red = green = blue in every texel, are refused.
     pub(crate) input: PathBuf,
-    /// The folder to write; of one that exists, files of the same names are replaced.
+    /// The folder to write; of one that exists, files of the same names are replaced, and files of an earlier bake that
+    /// its moments.json lists are removed.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
     /// The steepest slope: longer ones are shortened to it.

@@ -15,8 +15,13 @@ use std::time::Duration;
 
 /// The file in which a reader finds the others.
 pub(crate) const DESCRIPTION: &str = "moments.json";
-/// The files of a level in the description.
-const PARTS: [&str; 4] = ["mean", "second", "raw", "roughness"];
+/// The files of a level in the description: what each is there, and its name before and after the level's number.
+const PARTS: [(&str, &str, &str); 4] = [
+    ("mean", "mean", "png"),
+    ("second", "second", "png"),
+    ("raw", "moments", "f32"),
+    ("roughness", "roughness", "png"),
+];
 
 /// A baked map in numbers.
 pub(crate) struct Summary {
@@ -196,14 +201,19 @@ impl Summary {
 }
 
 /// The files of a baked map in a folder, by its description; none where there is none.
+///
+/// Only names that a bake gives: someone else may have written the description, and listed files of another kind in it.
 pub(crate) fn described(folder: &Path) -> Vec<String> {
     let text = fs::read_to_string(folder.join(DESCRIPTION)).unwrap_or_default();
     let known: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
     let levels = known["levels"].as_array().into_iter().flatten();
-    let names = levels.flat_map(|level| PARTS.map(|part| level[part].as_str()));
-    // Names, not paths: a description that someone else wrote must not reach out of its folder.
-    let plain = |name: &&str| Path::new(name).file_name().is_some_and(|file| file == *name);
-    names.flatten().filter(plain).map(str::to_owned).collect()
+    let names = levels.enumerate().flat_map(|(k, level)| {
+        PARTS.map(|(part, before, after)| {
+            let name = format!("{before}.{k}.{after}");
+            (level[part].as_str() == Some(name.as_str())).then_some(name)
+        })
+    });
+    names.flatten().collect()
 }
 
 /// The most memory that this process has held, in MiB, where the system tells it.

@@ -171,6 +171,21 @@ fn an_odd_map_is_read_back_within_the_alpha_floor() {
     fs::remove_file(&small).expect("a file");
     baked(&input, &out, &[]);
 
+    // A description of someone else's lists files that no bake writes, or writes under other numbers: they stay.
+    let mut foreign = described(&out);
+    for (level, part, name) in
+        [(0, "mean", "photo.png"), (1, "second", "mean.07.png"), (2, "raw", "second.9.png")]
+    {
+        foreign["levels"][level][part] = name.into();
+        fs::write(out.join(name), "mine").expect("a file");
+    }
+    fs::write(out.join("moments.json"), foreign.to_string()).expect("a file");
+    baked(&input, &out, &[]);
+    for name in ["photo.png", "mean.07.png", "second.9.png"] {
+        assert_eq!(fs::read(out.join(name)).expect("a file"), b"mine");
+        fs::remove_file(out.join(name)).expect("still there");
+    }
+
     // The same from one thread and many, over what is there; a stranger's file stays.
     let first = fs::read(out.join("second.1.png")).expect("a file");
     fs::write(out.join("notes.txt"), "mine").expect("a file");
