@@ -25,7 +25,7 @@ pub(crate) struct Options {
     /// gamma, sRGB and ICC chunks are ignored, as normals are no colours; of an animation the still picture is read.
     /// A file that ends early or of which any checksum is wrong is refused; bytes after the end chunk are ignored with a
     /// warning.
-    /// Heights without --height, red = green = blue in every texel, are refused.
+    /// Heights without --height, red = green = blue in all texels but one of a thousand, are refused.
     pub(crate) input: PathBuf,
     /// The folder to write; of one that exists, files of the same names are replaced, and files of an earlier bake that
     /// its moments.json lists are removed.

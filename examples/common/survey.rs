@@ -45,6 +45,8 @@ pub(crate) struct Survey {
     high: [i64; 4],
     /// The largest difference between a texel's red, green and blue.
     colour: i64,
+    /// Texels in which that difference is more than a grey's.
+    coloured: usize,
     /// Texels whose z points up.
     up: usize,
     /// The sum of the differences between squared lengths and 1.
@@ -57,6 +59,8 @@ pub(crate) struct Survey {
 
 /// How far colours may lie apart in a grey picture that a lossy format has touched, of 1.
 const NEARLY_GREY: f64 = 4.5 / 255.0;
+/// A grey picture may have a coloured texel, a mark or a fault, among so many.
+const COLOURED: usize = 1000;
 /// Mean difference between a squared length and 1 above which channels are no unit vectors. Mip levels and compressed
 /// maps stay far below.
 const NO_UNIT_VECTORS: f64 = 0.1;
@@ -73,6 +77,7 @@ impl Survey {
             low: [i64::MAX; 4],
             high: [i64::MIN; 4],
             colour: 0,
+            coloured: 0,
             up: 0,
             off: 0.0,
             covered: false,
@@ -105,6 +110,7 @@ impl Survey {
         let largest: i64 = C::LARGEST.into();
         // A picture without alpha is opaque.
         let alpha = self.has_alpha.then(|| place(ALPHA, texel));
+        let nearly = (NEARLY_GREY * largest as f64) as i64;
         let (mut low, mut high) = (self.low, self.high);
         let mut off = 0_i64;
         for texel in bytes.chunks_exact(texel.bytes()) {
@@ -121,7 +127,9 @@ impl Survey {
                 low[k] = low[k].min(value);
                 high[k] = high[k].max(value);
             }
-            self.colour = self.colour.max(most - r.min(g).min(b));
+            let colour = most - r.min(g).min(b);
+            self.colour = self.colour.max(colour);
+            self.coloured += usize::from(colour > nearly);
             let signed = |k: usize| 2 * Into::<i64>::into(C::at(texel, k)) - largest;
             let [x, y, z] = places.map(signed);
             let rest = largest * largest - x * x - y * y;
@@ -146,6 +154,7 @@ impl Survey {
             self.high[k] = self.high[k].max(other.high[k]);
         }
         self.colour = self.colour.max(other.colour);
+        self.coloured += other.coloured;
         self.up += other.up;
         self.off += other.off;
         self.covered |= other.covered;
@@ -157,9 +166,9 @@ impl Survey {
         self.high[role] > self.low[role]
     }
 
-    /// Whether red, green and blue are equal in every texel, or as good as equal.
+    /// Whether red, green and blue are equal, or as good as equal, in all texels but one of a thousand.
     pub(crate) fn is_grey(&self) -> bool {
-        self.colour as f64 <= NEARLY_GREY * self.largest as f64
+        COLOURED * self.coloured <= self.counted
     }
 
     /// Why the texels are no normals, if they are none; `heights` says who reads heights.
@@ -169,8 +178,12 @@ impl Survey {
         }
         if self.is_grey() && !self.channels.use_alpha() {
             let equal = if self.colour == 0 { "equal" } else { "nearly equal" };
+            let texels = match self.coloured {
+                0 => "in every texel".to_owned(),
+                coloured => format!("in all but {coloured} of {} texels", self.counted),
+            };
             let mut line = format!(
-                "looks like a height (bump) map, not a normal map: red, green and blue are {equal} in every texel{heights}"
+                "looks like a height (bump) map, not a normal map: red, green and blue are {equal} {texels}{heights}"
             );
             if self.varies(ALPHA) {
                 line += "; --channels ag reads x from alpha and y from green";

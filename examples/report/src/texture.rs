@@ -186,6 +186,11 @@ mod tests {
         assert!(refusal(&grey).contains("height (bump) map"));
         let grey = encode(1, 1, ColorType::Rgb, BitDepth::Eight, &[9; 3]);
         assert!(refusal(&grey).contains("height (bump) map"));
+        // Of 32 x 32 texels a single one has a colour.
+        let mut bump = [200; 3 * 1024];
+        bump[..3].copy_from_slice(&[255, 0, 0]);
+        let bump = encode(32, 32, ColorType::Rgb, BitDepth::Eight, &bump);
+        assert!(refusal(&bump).contains("in all but 1 of 1024 texels"));
         let noise: Vec<u8> = (0..300_u32).map(|k| (k * k * 31 % 251) as u8).collect();
         let whole = encode(10, 10, ColorType::Rgb, BitDepth::Eight, &noise);
         for missing in 1..whole.len() {

@@ -71,6 +71,17 @@ fn a_height_map_is_refused_by_what_it_is() {
     complains(&bake(&input, &out, &[]), &["height (bump) map", "--channels ag"]);
     baked(&input, &out, &["--channels", "ag"]);
     holds(&out, &expected(&pairs, 10.0, Border::Wrap));
+    // A coloured texel among a thousand makes no normal map of it; two do.
+    let mut bright = vec![[200_u8; 3]; 1024];
+    for (red, said) in [(3, Some("in all but 1 of 1024 texels")), (1000, None)] {
+        bright[red] = [255, 0, 0];
+        let data = bright.as_flattened();
+        fs::write(&input, picture([32; 2], ColorType::Rgb, BitDepth::Eight, data)).expect("a file");
+        match said {
+            Some(said) => complains(&bake(&input, &out, &[]), &["height (bump) map", said]),
+            None => drop(baked(&input, &out, &[])),
+        }
+    }
     // Not one texel of a normal map is that of a height map.
     let mut one = vec![[90_u8; 3]; 15];
     one[14] = [90, 90, 255];
