@@ -64,6 +64,8 @@ const COLOURED: usize = 1000;
 /// Mean difference between a squared length and 1 above which channels are no unit vectors. Mip levels and compressed
 /// maps stay far below.
 const NO_UNIT_VECTORS: f64 = 0.1;
+/// The same where blue and one of red and green are constant: codes of 8 bits are off by about 0.01 there at most.
+const NO_CONSTANT_Z: f64 = 0.03;
 
 impl Survey {
     /// A survey that has counted no texel yet.
@@ -213,10 +215,10 @@ impl Survey {
 
     /// The layout of two channels that the texels look like, if it is not the one that is read.
     ///
-    /// If blue is constant, it is not the z of normals that vary; if the channel read as x or y is constant and others vary,
-    /// another channel was meant. Nearly flat maps are exempt, as their z really is nearly constant, unless alpha varies.
+    /// Red, green and blue of unit length are normals, whatever alpha holds: nearly flat maps and roofs have a constant blue,
+    /// too. Of other channels, one read as x or y that is at an end everywhere is none, and another one was meant.
     fn layout(&self) -> Option<&'static str> {
-        const AG: &str = "looks like x in alpha and y in green (DXT5nm): --channels ag reads it so";
+        const AG: &str = "looks like two channels in alpha and green: --channels ag (x in alpha: DXT5nm) or ga reads them";
         const RA: &str = "looks like two channels in red and alpha: --channels ra or ar reads them";
         const RG: &str = "looks like x in red and y in green (BC5): --channels rg reads it so";
         const ANY: &str = "looks like two channels without z: --channels rg reads x and y from red and green, \
@@ -229,6 +231,7 @@ impl Survey {
                 .channels
                 .roles()
                 .iter()
+                .take(2)
                 .any(|&role| !self.varies(role) && [0, self.largest].contains(&self.low[role]));
             return match (at_an_end, r, g, a) {
                 (true, false, true, true) => Some(AG),
@@ -237,15 +240,14 @@ impl Survey {
                 _ => None,
             };
         }
-        let off =
-            self.off > NO_UNIT_VECTORS * self.counted as f64 || 2 * self.high[2] <= self.largest;
+        let mean = self.off / self.counted as f64;
+        let down = 2 * self.high[2] <= self.largest;
+        let off = down || mean > NO_UNIT_VECTORS;
+        let slightly_off = off || !b && mean > NO_CONSTANT_Z;
         match (r, g, b, a) {
-            (true, true, false, true) => Some(ANY),
-            (false, true, false, true) => Some(AG),
-            (true, false, false, true) => Some(RA),
-            (false, true, true, true) if off => Some(AG),
-            (true, false, true, true) if off => Some(RA),
-            (true, true, false, false) if off => Some(RG),
+            (true, true, false, _) if off => Some(if a { ANY } else { RG }),
+            (false, true, _, true) if slightly_off => Some(AG),
+            (true, false, _, true) if slightly_off => Some(RA),
             _ => None,
         }
     }

@@ -147,7 +147,8 @@ fn layouts_of_two_channels_are_pointed_out() {
         assert_eq!(described(&out)["warnings"][0], warnings[0]);
     }
     // Blue points down: refused, and the line says why.
-    let refused: [Layout; 4] = [
+    let refused: [Layout; 5] = [
+        (&|[x, y, _]| [0, x, 0, y], "or ga"),
         (&|[x, y, _]| [0, y, 0, x], "--channels ag"),
         (&|[x, y, _]| [x, y, 0, 255], "--channels rg"),
         (&|[x, y, _]| [x, y, 127 - y % 2, 255], "do not point up"),
@@ -166,6 +167,15 @@ fn layouts_of_two_channels_are_pointed_out() {
     assert_eq!(warned(&input, &out, &[]).1, [""; 0]);
     write(&|[x, y, _]| [120 + x / 16, 120 + y / 16, 255, 255]);
     assert_eq!(warned(&input, &out, &[]).1, [""; 0]);
+    // With alpha for something else, nearly flat, a roof of two slopes.
+    write(&|[x, y, _]| [120 + x / 16, 120 + y / 16, 255, x ^ y]);
+    assert_eq!(warned(&input, &out, &[]).1, [""; 0]);
+    write(&|[x, y, _]| [128, if x < 128 { 51 } else { 204 }, 230, x ^ y]);
+    assert_eq!(warned(&input, &out, &[]).1, [""; 0]);
+    write(&|[x, y, _]| [if x < 128 { 51 } else { 204 }, 128, 230, x ^ y]);
+    assert_eq!(warned(&input, &out, &[]).1, [""; 0]);
+    write(&|[x, y, _]| [7, 120 + y / 16, 255, 120 + x / 16]);
+    assert_eq!(warned(&input, &out, &["--channels", "agb"]).1, [""; 0]);
     write(&|[x, _, _]| {
         let z = 127.5 + (127.5_f64.powi(2) - (f64::from(x) - 127.5).powi(2)).sqrt();
         [128, x, nearest(z), x]
