@@ -96,7 +96,8 @@ impl Slopes {
             progress.by(texels as u64)
         })?;
         if let Some(line) = survey.refusal(HEIGHTS) {
-            let ignored = if normals.coverage { None } else { clear(sum.clear, rows.len()) };
+            let reads_alpha = normals.coverage || normals.channels.use_alpha();
+            let ignored = if reads_alpha { None } else { clear(sum.clear, rows.len()) };
             return Err(line + &ignored.unwrap_or_default());
         }
         let decoding = whole.elapsed().saturating_sub(converting);

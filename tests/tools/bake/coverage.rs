@@ -116,6 +116,12 @@ fn clipping_is_told_with_what_may_have_caused_it() {
                  alpha is 0 in 33.3 % of all texels, which --coverage leaves out";
     assert_eq!(warnings[0], first);
     assert_eq!(warned(&input, &out, &["--coverage"]).1, [""; 0]);
+    // A map that is refused with alpha read as x: alpha is no coverage then.
+    let steep: Vec<u8> = (0..96_u8).flat_map(|k| [k, 128, 9, k / 90 * 255]).collect();
+    fs::write(&input, picture([12, 8], ColorType::Rgba, BitDepth::Eight, &steep)).expect("a file");
+    let refused = bake(&input, &out, &["--channels", "agb"]);
+    complains(&refused, &["do not point up"]);
+    assert!(!String::from_utf8_lossy(&refused.stderr).contains("--coverage"));
     // Nothing is covered.
     let none: Vec<u8> = texels.chunks_exact(4).flat_map(|t| [t[0], t[1], t[2], 0]).collect();
     fs::write(&input, picture([12, 8], ColorType::Rgba, BitDepth::Eight, &none)).expect("a file");
