@@ -47,7 +47,8 @@ pub(crate) struct Options {
     /// Weigh every texel by the alpha channel: texels of alpha 0, outside of a texture's islands, do not count.
     ///
     /// Each level merges its moments by the coverage of its texels. A texel of a level that covers nothing takes the
-    /// moments of the coarser texel that covers it.
+    /// moments of the coarser texel that covers it; on level 0, whose texels are single slopes, it takes that texel's mean
+    /// slope.
     #[arg(long, conflicts_with = "height")]
     pub(crate) coverage: bool,
     /// Turn y: for maps whose green points down (DirectX). y is up in what is written.
