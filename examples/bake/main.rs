@@ -35,13 +35,14 @@ use options::Options;
 use picture::Picture;
 use progress::Progress;
 use slopes::{Normals, Slopes};
+use std::io::ErrorKind;
 use std::process::ExitCode;
 use std::time::Instant;
 use summary::{DESCRIPTION, Seconds, Summary};
 use warnings::{Looks, whole};
 
 /// The whole way from the file to the folder.
-fn bake(options: &Options, progress: &Progress) -> Result<Summary, String> {
+fn bake(options: &Options, progress: &Progress) -> Result<(), String> {
     let cap = options.cap()?;
     options.check_range()?;
     options.check_channels()?;
@@ -117,11 +118,17 @@ fn bake(options: &Options, progress: &Progress) -> Result<Summary, String> {
     let mut names = levels.names();
     // The last, in which a reader finds the others.
     names.push(DESCRIPTION.to_owned());
-    // Levels of a larger map would be taken for this one's.
-    folder.finish(&names, summary::described(&options.out))?;
+    // What is printed comes before what is seen in the folder: if it cannot be printed, nothing is written.
+    if let Some(name) = names.iter().find(|name| options.out.join(name).is_dir()) {
+        return Err(folder.refused(name, &ErrorKind::IsADirectory.into()));
+    }
     summary.seconds.encoding = start.elapsed();
     progress.end();
-    Ok(summary)
+    summary.print(options)?;
+    // Levels of a larger map would be taken for this one's.
+    folder.finish(&names, summary::described(&options.out))?;
+    summary.warn(options);
+    Ok(())
 }
 
 fn main() -> ExitCode {
@@ -132,7 +139,7 @@ fn main() -> ExitCode {
     let progress = Progress::new();
     let baked = bake(&options, &progress);
     progress.end();
-    match baked.and_then(|summary| summary.print(&options)) {
+    match baked {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => print::failed("bake", &message, progress.stopped()),
     }

@@ -191,12 +191,16 @@ impl Summary {
         text + &rough.unwrap_or_default() + &peak.unwrap_or_default()
     }
 
-    /// The warnings on standard error, the numbers on standard output.
+    /// The numbers, on standard output.
     pub(crate) fn print(&self, options: &Options) -> Result<(), String> {
+        print(&self.text(options)).map_err(|error| format!("standard output: {error}"))
+    }
+
+    /// The warnings, on standard error.
+    pub(crate) fn warn(&self, options: &Options) {
         for warning in &self.warnings {
             eprintln!("bake: warning: {}: {warning}", options.input.display());
         }
-        print(&self.text(options))
     }
 }
 

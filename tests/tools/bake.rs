@@ -399,6 +399,19 @@ fn what_cannot_be_written_leaves_nothing() {
 
 #[cfg(target_os = "linux")]
 #[test]
+fn a_summary_that_cannot_be_printed_leaves_nothing() {
+    let folder = folder("unprinted");
+    let (input, out) = (folder.join("normal.png"), folder.join("moments"));
+    fs::write(&input, rgb(&texels())).expect("a file");
+    let full = fs::OpenOptions::new().write(true).open("/dev/full").expect("a device");
+    let mut command = Command::new(example());
+    let output = command.arg(&input).arg("--out").arg(&out).stdout(full).output();
+    complains(&output.expect("the example runs"), &["standard output: "]);
+    assert_eq!(names(&folder), ["normal.png"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
 fn a_disk_that_fills_leaves_nothing() {
     let folder = folder("full");
     let (input, out) = (folder.join("normal.png"), folder.join("moments"));
