@@ -12,7 +12,8 @@ const WINDOW: usize = 1 << 17;
 ///
 /// Refused: a file that ends early, by a single byte too; a wrong CRC of any chunk; pixels whose Adler-32 sum is wrong or
 /// missing, those of an animation's frames too; a transparency chunk that cannot be read, since it changes texels.
-/// Bytes after the end chunk belong to no picture: they are counted, and the caller says so.
+/// Bytes after the end chunk belong to no picture: they are counted, and the caller says so. Bytes after the pixels' sum
+/// within their chunks, and rows beyond the header's height, are ignored without a word.
 pub(crate) fn trailing(file: &[u8]) -> Result<usize, String> {
     let mut options = DecodeOptions::default();
     options.set_ignore_checksums(false);
