@@ -193,7 +193,7 @@ impl Summary {
 
     /// The numbers, on standard output.
     pub(crate) fn print(&self, options: &Options) -> Result<(), String> {
-        print(&self.text(options)).map_err(|error| format!("standard output: {error}"))
+        print(&self.text(options))
     }
 
     /// The warnings, on standard error.
