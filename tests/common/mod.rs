@@ -47,8 +47,14 @@ pub(crate) const ODD: [f64; 17] = [
 /// ([`size::cases`]). A failure is shrunk towards plain inputs.
 #[track_caller]
 pub(crate) fn check(full: u32, law: impl Fn(&mut Source) -> TestCaseResult) {
+    check_all(size::cases(full), law);
+}
+
+/// Runs a law on all of its inputs in every run: one whose violations are too rare for a share of them.
+#[track_caller]
+pub(crate) fn check_all(cases: u32, law: impl Fn(&mut Source) -> TestCaseResult) {
     let config = Config {
-        cases: size::cases(full),
+        cases,
         rng_algorithm: RngAlgorithm::ChaCha,
         rng_seed: RngSeed::Fixed(0x10be),
         failure_persistence: None,

@@ -3,7 +3,7 @@
 
 use crate::common::arbitrary::Source;
 use crate::common::reference::{eigenvalues, matrix};
-use crate::common::{ULP, check, ensure, near, near_all};
+use crate::common::{ULP, check, check_all, ensure, near, near_all};
 use core::fmt::Debug;
 use lobe::{Psd, Real, SlopeMoments};
 use proptest::test_runner::TestCaseResult;
@@ -96,8 +96,9 @@ fn outer_sums<R: Real>(source: &mut Source) -> TestCaseResult {
 
 #[test]
 fn a_kernel_leaves_the_determinant_of_a_thin_lobe() {
-    check(100_000, outer_sums::<f64>);
-    check(100_000, outer_sums::<f32>);
+    // Fewer inputs do not find a determinant of the entries alone.
+    check_all(100_000, outer_sums::<f64>);
+    check_all(100_000, outer_sums::<f32>);
 }
 
 fn merges<R: Real>(source: &mut Source) -> TestCaseResult {
