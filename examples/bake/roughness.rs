@@ -39,7 +39,7 @@ pub(crate) struct Roughness {
 }
 
 impl Roughness {
-    /// Of a material, in [0, 1].
+    /// Roughness mips over a material's base roughness, which lies in [0, 1].
     pub(crate) fn new(base: f64, kind: Kind, wide: bool) -> Result<Self, String> {
         if (0.0..=1.0).contains(&base) {
             Ok(Self { base, kind, wide })

@@ -64,7 +64,8 @@ const COLOURED: usize = 1000;
 /// Mean difference between a squared length and 1 above which channels are no unit vectors. Mip levels and compressed
 /// maps stay far below.
 const NO_UNIT_VECTORS: f64 = 0.1;
-/// The same where blue and one of red and green are constant: codes of 8 bits are off by about 0.01 there at most.
+/// Mean difference above which a map is no normal map, if its blue and one of red and green are constant: codes of
+/// 8 bits are off by at most about 0.01 in such a map.
 const NO_CONSTANT_Z: f64 = 0.03;
 
 impl Survey {

@@ -112,7 +112,7 @@ pub(super) fn covered<S: Shape>(
 
 /// A point of the footprint's border, less the lobe's mean: a corner, or the middle of an edge.
 ///
-/// Its cross products have the right sign, and all digits, at any distance from 0: a sum of centre and sides alone is
+/// Cross products with it have the right sign, and all digits, at any distance from 0: a sum of centre and sides alone is
 /// off by the rounding of the centre.
 #[derive(Clone, Copy)]
 struct Border<R> {

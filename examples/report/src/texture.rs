@@ -186,7 +186,7 @@ mod tests {
         assert!(refusal(&grey).contains("height (bump) map"));
         let grey = encode(1, 1, ColorType::Rgb, BitDepth::Eight, &[9; 3]);
         assert!(refusal(&grey).contains("height (bump) map"));
-        // Of 32 x 32 texels a single one has a colour.
+        // A single texel of 32 x 32 has a colour.
         let mut bump = [200; 3 * 1024];
         bump[..3].copy_from_slice(&[255, 0, 0]);
         let bump = encode(32, 32, ColorType::Rgb, BitDepth::Eight, &bump);

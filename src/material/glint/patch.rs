@@ -123,7 +123,7 @@ impl<R: Real> Patch<R> {
         width.max(R::ZERO)
     }
 
-    /// The same surface with its coordinates scaled, by factors in [0, 1].
+    /// The patch after both surface coordinates are multiplied by factors in [0, 1].
     #[inline]
     pub(super) fn stretched(&self, factors: [R; 2]) -> Self {
         let scaled = |v: [R; 2]| [v[0] * factors[0], v[1] * factors[1]];

@@ -150,7 +150,7 @@ pub(super) struct Block<R> {
 }
 
 impl<R: Real> Block<R> {
-    /// Of the next level's texel in this column and row; `size` is the finer level's.
+    /// The finer texels under the next level's texel in this column and row; `size` is the finer level's.
     #[inline]
     pub(super) fn of([width, height]: [usize; 2], column: usize, row: usize) -> Self {
         let (top, down) = shares::<R>(row, height);

@@ -30,7 +30,7 @@ impl<R: Real> MomentMap<R> {
     ///
     /// ```
     /// use lobe::material::lean::{Border, MomentMap};
-    /// // An island of two texels; the others hold what the painter's tool left there.
+    /// // Two texels are covered by an island; the painting tool left arbitrary colours in the other texels.
     /// let slopes = vec![[0.1_f64, 0.0], [0.3, 0.0], [-99.0, 7.0], [f64::NAN, 0.0]];
     /// let map = MomentMap::from_weighted_slopes([2, 2], slopes, vec![1.0, 1.0, 0.0, 0.0], Border::Wrap)?;
     /// let whole = map.texel(1, 0, 0);

@@ -20,7 +20,7 @@ pub(crate) struct Table {
 
 /// What a directory has.
 pub(crate) struct Directory {
-    /// Its tables, in alphabetical order.
+    /// The tables of the directory, in alphabetical order.
     pub(crate) tables: Vec<(Table, &'static Quantity)>,
     /// Names of what else lies there, in alphabetical order; hidden files are left out.
     pub(crate) ignored: Vec<String>,
