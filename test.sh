@@ -178,17 +178,16 @@ feature_sets() {
 # with other features.
 all=(--workspace --features probe)
 step "Tests build"
-cargo build --quiet "${all[@]}" --examples
 if [[ $size == fast ]]; then
     suites=(--test laws --test texts --test tools --test cli)
-    cargo test --quiet "${all[@]}" "${suites[@]}" --test drivers --no-run
+    cargo build --quiet "${all[@]}" --examples "${suites[@]}" --test drivers
     step "Tests: laws, golden tables, corpus, texts, tools"
     run_tests "${all[@]}" "${suites[@]}" --no-fail-fast
     step "Tests: twins in exact mode"
     run_tests "${all[@]}" --test drivers exact_mode_equals_rust
     skip "other tests of the GPU and the report, documentation and its examples, sets of features, no_std, Tint, fuzz targets (--fast)"
 else
-    cargo test --quiet "${all[@]}" --lib --bins --tests --no-run
+    cargo build --quiet "${all[@]}" --lib --bins --examples --tests
     step "Tests: laws, golden tables, corpus, texts, tools, twins"
     run_tests "${all[@]}" --lib --bins --tests --no-fail-fast
 
