@@ -71,7 +71,7 @@ pub(crate) struct Options {
     /// Width of the pictures in pixels, 16 to 4096; the height follows (16:9).
     ///
     /// Surfaces keep their size in pixels: a smaller picture shows less of them. Above 400, balls, torus,
-    /// strips and disc grow with the picture.
+    /// strips and disc grow with the picture. Pictures of facets are at least 24 pixels wide.
     /// [default: 400, with --quick 240]
     #[arg(long, value_name = "N", value_parser = width, allow_negative_numbers = true)]
     pub(crate) size: Option<usize>,
@@ -193,10 +193,11 @@ impl Options {
         self.scene.include(Scenes::Glints).then_some(glints::Plan { width, ..plan })
     }
 
-    /// How facets are measured, if glints are asked for: in pictures no wider than asked for.
+    /// How facets are measured, if glints are asked for: in pictures no wider than asked for, but for the least width.
     pub(crate) fn facets(&self) -> Option<facets::Plan> {
         let plan = if self.quick { facets::Plan::quick() } else { facets::Plan::full() };
-        let narrow = |width: usize| self.size.map_or(width, |asked| asked.min(width));
+        let least = facets::Plan::LEAST_WIDTH;
+        let narrow = |width: usize| self.size.map_or(width, |asked| asked.max(least).min(width));
         let [width, zoom, sweep] = [plan.width, plan.zoom, plan.sweep].map(narrow);
         let plan = facets::Plan { width, zoom, sweep, ..plan };
         self.scene.include(Scenes::Glints).then_some(plan)

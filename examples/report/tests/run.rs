@@ -39,6 +39,13 @@ static WATER: LazyLock<(String, String)> = LazyLock::new(|| run("water", &["--sc
 static TORUS: LazyLock<(String, String)> =
     LazyLock::new(|| run("torus-only", &["--scene", "torus"]));
 
+/// A page without its pictures' data, in which any letters may stand.
+fn words(page: &str) -> String {
+    let mut pieces = page.split("base64,");
+    let first = pieces.next().unwrap_or_default().to_owned();
+    pieces.fold(first, |words, piece| words + &piece[piece.find('"').unwrap_or_default()..])
+}
+
 /// Every `src`, `href`, `url(` and `@import` of a page points into the page.
 fn assert_self_contained(page: &str) {
     for attribute in ["src=\"", "href=\""] {
@@ -225,7 +232,7 @@ fn relief_has_pictures_tables_and_charts_of_its_own() {
     // Three charts, and the figures of filters without a renderer.
     assert_eq!(page.matches("<svg").count(), 3 + 4 * 2 + 2);
     for wrong in ["NaN", "inf "] {
-        assert!(!text.contains(wrong) && !page.contains(wrong), "{wrong} in\n{text}");
+        assert!(!text.contains(wrong) && !words(&page).contains(wrong), "{wrong} in\n{text}");
     }
     let (text, page) = &*TORUS;
     assert!(!text.contains("LEADR") && !page.contains("LEADR"));
@@ -233,7 +240,8 @@ fn relief_has_pictures_tables_and_charts_of_its_own() {
 
 #[test]
 fn glints_have_pictures_tables_and_charts_of_their_own() {
-    let (text, page) = run("glints", &["--scene", "glints", "--size", "32"]);
+    // The smallest size of all: pictures of facets are wider.
+    let (text, page) = run("glints", &["--scene", "glints", "--size", "16"]);
     assert_self_contained(&page);
     assert!(page.contains("<h2>Glints</h2>") && text.contains("\nGlints\n"));
     assert!(page.contains("<h2>Facets</h2>") && text.contains("\nFacets\n"));
@@ -254,7 +262,7 @@ fn glints_have_pictures_tables_and_charts_of_their_own() {
         assert_eq!(lines.count(), rows, "{name} in\n{text}");
     }
     for wrong in ["NaN", "inf ", "-0."] {
-        assert!(!text.contains(wrong) && !page.contains(wrong), "{wrong} in\n{text}");
+        assert!(!text.contains(wrong) && !words(&page).contains(wrong), "{wrong} in\n{text}");
     }
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("glints");
     let data = fs::read_to_string(folder.join("report.json")).unwrap();

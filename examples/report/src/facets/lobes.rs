@@ -1,10 +1,11 @@
 //! Lobes over the plane of slopes, by their correlation: of few facets and of many (Fig. 10).
 
 use lobe::material::glint::Patch;
-use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
+use lobe::material::multilobe::{Dictionary, MultiLobe};
 use lobe::{Error, Roughness};
 use serde::Serialize;
 
+use super::dictionary::Precision;
 use crate::camera::Size;
 
 /// Correlations, as in the paper.
@@ -39,9 +40,9 @@ pub(crate) struct Lobes {
 
 impl Lobes {
     pub(super) fn seen(side: usize) -> Result<Self, Error> {
-        let dictionary = Dictionary::<f64>::new(&Recipe::default())?;
+        let dictionary = f64::dictionary()?;
         let pairs = COUNTS.iter().flat_map(|&count| CORRELATIONS.map(|rho| (count, rho)));
-        let shown = pairs.map(|(count, rho)| Shown::of(&dictionary, count, rho, side));
+        let shown = pairs.map(|(count, rho)| Shown::of(dictionary, count, rho, side));
         Ok(Self {
             size: Size { width: side, height: side },
             shown: shown.collect::<Result<_, _>>()?,

@@ -1,8 +1,10 @@
 //! Bytes of dictionaries: the library's, and as published.
 
 use lobe::Error;
-use lobe::material::multilobe::{Dictionary, Recipe};
+use lobe::material::multilobe::Recipe;
 use serde::Serialize;
+
+use super::dictionary::Precision;
 
 /// Bytes.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -21,7 +23,7 @@ impl Memory {
         // 64 + 32 + ... + 1.
         let chain = 2 * intervals - 1;
         Ok(Self {
-            ours: Dictionary::<f32>::new(&Recipe::default())?.bytes(),
+            ours: f32::dictionary()?.bytes(),
             published: texels(intervals),
             mips: texels(chain),
         })

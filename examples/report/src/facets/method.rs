@@ -1,10 +1,11 @@
 //! What is compared: filters of half vectors, what is known of the normal map, plain supersampling.
 
 use lobe::filter::DiskKernel;
-use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
+use lobe::material::multilobe::{Dictionary, MultiLobe};
 use lobe::{Error, Footprint, Kernel, PixelFilter, Real, Roughness};
 use serde::Serialize;
 
+use super::dictionary::Precision;
 use super::stage::{Normals, Seen};
 
 /// Of which half vectors derivatives are taken.
@@ -109,17 +110,17 @@ pub(super) const MAPPINGS: [Method; 15] = [
 ];
 
 /// A material with its dictionary.
-pub(super) struct Surface<R> {
-    dictionary: Dictionary<R>,
+pub(super) struct Surface<R: 'static> {
+    dictionary: &'static Dictionary<R>,
     facets: MultiLobe<R>,
 }
 
-impl<R: Real> Surface<R> {
+impl<R: Precision> Surface<R> {
     /// Of a roughness from afar, with this many facets on a square of the unit.
     pub(super) fn new(alpha: f64, density: f64) -> Result<Self, Error> {
         let roughness = Roughness::from_alpha(R::lit(alpha))?;
         Ok(Self {
-            dictionary: Dictionary::new(&Recipe::default())?,
+            dictionary: R::dictionary()?,
             facets: MultiLobe::new(roughness, R::lit(density))?,
         })
     }
@@ -127,7 +128,7 @@ impl<R: Real> Surface<R> {
     /// BRDF without Fresnel times the light's cosine.
     #[inline]
     pub(super) fn radiance(&self, filter: Filter, seen: &Seen<R>) -> R {
-        let lobe = self.facets.lobe(&self.dictionary, &seen.patch);
+        let lobe = self.facets.lobe(self.dictionary, &seen.patch);
         let lobe = match &seen.moments {
             Some(moments) => lobe.over(moments),
             None => lobe,

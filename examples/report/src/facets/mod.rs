@@ -4,6 +4,7 @@
 //! Here one surface has one truth, the mean over many points of a pixel, so single pixels compare.
 
 mod body;
+mod dictionary;
 mod fibres;
 mod lobes;
 mod memory;
@@ -48,6 +49,9 @@ pub(crate) struct Plan {
 }
 
 impl Plan {
+    /// The least width of a picture: all of the tube's and of the beads'. A narrower one shows no highlight.
+    pub(crate) const LEAST_WIDTH: usize = scenes::DIAMETER;
+
     /// Of a full run.
     pub(crate) fn full() -> Self {
         Self {

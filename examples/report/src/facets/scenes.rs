@@ -14,8 +14,9 @@ use crate::camera::{Camera, Size};
 use crate::scene::combed_map;
 use crate::vector::Vector;
 
-/// Radius of the tube, and of the beads, in pixels.
-pub(crate) const RADIUS: f64 = 12.0;
+/// Diameter and radius of the tube, and of the beads, in pixels.
+pub(super) const DIAMETER: usize = 24;
+pub(crate) const RADIUS: f64 = 0.5 * DIAMETER as f64;
 
 /// Radii of the ring and of the ball over the picture's height.
 const RING: f64 = 0.36;

@@ -8,7 +8,7 @@ use super::model::{Made, Model, Seen};
 use super::moments::{Moments, distance};
 use super::points::Points;
 use super::sample::{Light, Pixel, Setting};
-use super::speed::{Load, Speed};
+use super::speed::{Curve, Load, Speed};
 
 /// Details as rough as they need to be for few to suffice.
 const ROUGH: Material = Material { name: "", alpha: 0.5, fractions: [0.3, 0.2], details: 60.0 };
@@ -163,18 +163,28 @@ fn a_cell_costs_the_same_in_any_pixel_and_less_than_all() {
 }
 
 #[test]
-fn time_grows_with_cells_and_not_with_details() {
-    let speed = Speed::measured(Load { pixels: 32, rounds: 5 }).unwrap();
+fn every_point_of_the_charts_is_timed() {
+    let speed = Speed::measured(Load { pixels: 4, rounds: 1 }).unwrap();
     assert!((speed.aspects[2] - 16.0).abs() < 1e-3);
-    for curve in &speed.by_cells {
-        assert!(curve.points.is_sorted_by(|a, b| a[0] < b[0]) && curve.line().0 > 0.0);
+    let cells = speed.by_cells.iter().map(|curve| &curve.points);
+    assert!(cells.clone().all(|points| points.is_sorted_by(|a, b| a[0] < b[0])));
+    let details = speed.by_details.iter().map(|curve| &curve.points);
+    for (points, count) in
+        cells.map(|p| (p, 8)).chain(details.map(|p| (p, 11))).chain([(&speed.points, 5)])
+    {
+        assert!(points.len() == count && points.iter().all(|point| point[1] > 0.0), "{points:?}");
     }
-    for curve in &speed.by_details {
-        let (first, last) = (curve.points[2][1], curve.points[10][1]);
-        assert!(last < 5.0 * first, "{:?}: {first} to {last}", curve.model);
-    }
-    let (first, last) = (speed.points[1][1], speed.points[4][1]);
-    assert!(last > 50.0 * first, "{first} to {last}");
+}
+
+#[test]
+fn lines_are_least_squares() {
+    let curve = |points: &[[f64; 2]]| {
+        Curve { model: Model::Default, aspect: 1.0, points: points.to_vec() }.line()
+    };
+    assert_eq!(curve(&[[1.0, 5.0], [2.0, 7.0], [4.0, 11.0]]), (2.0, 0.0));
+    // The line lies at 7/3, the middle point is 2/7 above it.
+    let (slope, off) = curve(&[[0.0, 2.0], [1.0, 3.0], [2.0, 2.0]]);
+    assert!(slope.abs() < 1e-12 && (off - 2.0 / 7.0).abs() < 1e-12, "{slope} {off}");
 }
 
 #[test]

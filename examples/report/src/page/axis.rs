@@ -62,8 +62,12 @@ impl Axis {
     }
 
     /// 1, 2, 5 times powers of ten within the axis; on long logarithmic ones powers of ten only. On linear
-    /// ones multiples of one such number, at most eight.
+    /// ones multiples of one such number, at most eight. None on an axis without a length.
     pub(super) fn ticks(&self) -> Vec<f64> {
+        let [first, last] = [self.low, self.high].map(|end| self.scale.forward(end));
+        if !(first < last && last - first < f64::INFINITY) {
+            return Vec::new();
+        }
         match self.scale {
             Scale::Linear => self.multiples(),
             Scale::Logarithmic => self.powers(),
@@ -148,6 +152,16 @@ mod tests {
         let axis = Axis::between(Scale::Binary, [0.5, 8.0], [0.0, 100.0]);
         assert_eq!(axis.ticks(), [0.5, 1.0, 2.0, 4.0, 8.0]);
         assert!((axis.at(2.0) - 50.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn axes_without_a_length_have_no_ticks() {
+        for scale in [Scale::Linear, Scale::Logarithmic, Scale::Binary] {
+            for ends in [[0.0, 0.0], [1.0, f64::NAN], [f64::INFINITY, 0.0], [1.0, f64::INFINITY]] {
+                assert!(Axis::between(scale, ends, [0.0, 100.0]).ticks().is_empty(), "{ends:?}");
+            }
+        }
+        assert!(Axis::between(Scale::Logarithmic, [0.0, 1.0], [0.0, 100.0]).ticks().is_empty());
     }
 
     #[test]

@@ -30,7 +30,7 @@ pub(super) struct Line {
 /// decade on either side of 1 where there is nothing, which has no logarithm.
 pub(super) fn around(lines: &[Line], other: Option<f64>, room: f64) -> [f64; 2] {
     let heights = lines.iter().flat_map(|line| line.points.iter().map(|point| point[1]));
-    let positive = heights.filter(|height| *height > 0.0 && height.is_finite()).chain(other);
+    let positive = heights.chain(other).filter(|height| *height > 0.0 && height.is_finite());
     let (low, high) = positive
         .fold((f64::INFINITY, 0.0_f64), |(low, high), height| (low.min(height), high.max(height)));
     if low < high { [low / room, high * room] } else { [0.1, 10.0] }
