@@ -11,6 +11,8 @@ mod encode;
 mod folder;
 #[path = "../common/integrity.rs"]
 mod integrity;
+#[path = "../common/looks.rs"]
+mod looks;
 #[path = "../common/mistake.rs"]
 mod mistake;
 mod options;
@@ -39,7 +41,7 @@ use std::io::ErrorKind;
 use std::process::ExitCode;
 use std::time::Instant;
 use summary::{DESCRIPTION, Seconds, Summary};
-use warnings::{Looks, whole};
+use warnings::Looks;
 
 /// The whole way from the file to the folder.
 fn bake(options: &Options, progress: &Progress) -> Result<(), String> {
@@ -102,7 +104,7 @@ fn bake(options: &Options, progress: &Progress) -> Result<(), String> {
         range,
         floors: levels.alpha_floors(),
         clipped,
-        whole: whole(&map),
+        whole: looks::whole(&map),
         roughness: roughness.map(|roughness| (roughness, levels.above_one())),
         warnings: looks.warnings(&map, options),
         bytes: map.bytes(),

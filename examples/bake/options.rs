@@ -32,10 +32,10 @@ pub(crate) struct Options {
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
     /// The steepest slope: longer ones are shortened to it.
-    #[arg(long, value_name = "SLOPE", default_value_t = 10.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "SLOPE", default_value_t = 10.0, value_parser = finite, allow_negative_numbers = true)]
     cap: f32,
     /// The range of slopes that 16 bits hold; by default the smallest power of two that holds the map's.
-    #[arg(long, value_name = "SLOPE", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SLOPE", value_parser = finite, allow_negative_numbers = true)]
     range: Option<f32>,
     /// What lies beyond the edges.
     #[arg(long, value_name = "WHAT", value_enum, default_value_t = Edge::Wrap)]
@@ -55,11 +55,11 @@ pub(crate) struct Options {
     #[arg(long)]
     pub(crate) flip_y: bool,
     /// The map is a displacement map: grey (or colours with red = green = blue), and white is this high.
-    #[arg(long, value_name = "SCALE", requires = "texel", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SCALE", requires = "texel", value_parser = finite, allow_negative_numbers = true)]
     #[arg(conflicts_with = "channels")]
     pub(crate) height: Option<f32>,
     /// The distance of a displacement map's texels, in the unit of --height.
-    #[arg(long, value_name = "SIZE", requires = "height", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SIZE", requires = "height", value_parser = finite, allow_negative_numbers = true)]
     pub(crate) texel: Option<f32>,
     /// Write roughness mips, too: roughness.K.png, one channel, for a material of this roughness, 0 to 1, under the map.
     ///
@@ -77,6 +77,12 @@ pub(crate) struct Options {
     /// Threads; by default as many as there are cores.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
+}
+
+/// A number of the command line; one beyond the range of f32 is refused as it was written.
+fn finite(text: &str) -> Result<f32, String> {
+    let number: f32 = text.parse().map_err(|_| "not a number".to_owned())?;
+    if number.is_finite() { Ok(number) } else { Err("not a finite number of 32 bits".to_owned()) }
 }
 
 #[derive(Clone, Copy, ValueEnum)]

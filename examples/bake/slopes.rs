@@ -5,6 +5,7 @@ use super::options::Relief;
 use super::picture::{Picture, Texel};
 use super::progress::Progress;
 use super::survey::{Channel, Survey};
+use super::warnings::clear;
 use super::work::dealt;
 use lobe::material::lean::{Clipped, HeightField, NormalTexel, SlopeCap};
 use std::time::{Duration, Instant};
@@ -15,8 +16,6 @@ pub(crate) struct Slopes {
     /// What each texel counts, if not all count the same.
     pub(crate) weights: Option<Vec<f32>>,
     pub(crate) clipped: Clipped,
-    /// Texels of alpha 0.
-    pub(crate) clear: usize,
     pub(crate) survey: Survey,
     pub(crate) decoding: Duration,
     pub(crate) converting: Duration,
@@ -31,13 +30,6 @@ pub(crate) struct Normals {
     pub(crate) flip: bool,
     /// Alpha is how much of a texel counts.
     pub(crate) coverage: bool,
-}
-
-/// What a thread found in its rows: texels that the cap touched, and texels of alpha 0.
-#[derive(Clone, Copy, Default)]
-struct Found {
-    clipped: Clipped,
-    clear: usize,
 }
 
 /// Who reads the heights that a user gave as normals.
@@ -66,7 +58,7 @@ impl Slopes {
         let mut rows = vec![[0.0; 2]; width * height];
         let mut weights = normals.coverage.then(|| Vec::with_capacity(rows.len()));
         let mut survey = Survey::new(normals.channels, texel);
-        let mut sum = Found::default();
+        let mut clipped = Clipped::default();
         let (mut converting, whole) = (Duration::ZERO, Instant::now());
         picture.bands(|first, bytes| {
             let start = Instant::now();
@@ -80,8 +72,7 @@ impl Slopes {
             for found in found {
                 let (part, found) = found?;
                 survey.join(&part);
-                sum.clipped = sum.clipped.plus(found.clipped);
-                sum.clear += found.clear;
+                clipped = clipped.plus(found);
             }
             if let Some(weights) = &mut weights {
                 let alpha = place(ALPHA, texel);
@@ -96,13 +87,13 @@ impl Slopes {
             progress.by(texels as u64)
         })?;
         if let Some(line) = survey.refusal(HEIGHTS) {
-            let reads_alpha = normals.coverage || normals.channels.use_alpha();
-            let ignored = if reads_alpha { None } else { clear(sum.clear, rows.len()) };
-            return Err(line + &ignored.unwrap_or_default());
+            return Err(match clear(&survey) {
+                Some(clear) => format!("{line}; {clear}"),
+                None => line,
+            });
         }
         let decoding = whole.elapsed().saturating_sub(converting);
-        let Found { clipped, clear } = sum;
-        Ok(Self { rows, weights, clipped, clear, survey, decoding, converting })
+        Ok(Self { rows, weights, clipped, survey, decoding, converting })
     }
 
     /// Of a displacement map.
@@ -149,16 +140,8 @@ impl Slopes {
             .into_iter()
             .try_fold(Clipped::default(), |sum, band| band.map(|clipped| sum.plus(clipped)))?;
         converting += start.elapsed();
-        Ok(Self { rows, weights: None, clipped, clear: 0, survey, decoding, converting })
+        Ok(Self { rows, weights: None, clipped, survey, decoding, converting })
     }
-}
-
-/// The end of a message about what texels of alpha 0 may have caused: how many there are, and the option that leaves them
-/// out.
-pub(crate) fn clear(clear: usize, texels: usize) -> Option<String> {
-    let percent = 100.0 * clear as f64 / texels as f64;
-    let line = format!("; alpha is 0 in {percent:.1} % of all texels, which --coverage leaves out");
-    (clear > 0).then_some(line)
 }
 
 /// A number that has an opposite sign: normals' x and y around half of the largest number.
@@ -195,12 +178,12 @@ fn convert<C: Signed, const PAIRS: bool>(
     [x, y, z]: [usize; 3],
     normals: Normals,
     out: &mut [[f32; 2]],
-) -> Found
+) -> Clipped
 where
     [C; 2]: NormalTexel,
     [C; 3]: NormalTexel,
 {
-    let mut found = Found::default();
+    let mut clipped = Clipped::default();
     let alpha = texel.has_alpha().then(|| place(ALPHA, texel));
     for (out, bytes) in out.iter_mut().zip(bytes.chunks_exact(texel.bytes())) {
         let at = |k: usize| C::at(bytes, k);
@@ -213,9 +196,8 @@ where
         };
         let clear = alpha.is_some_and(|k| Into::<i64>::into(at(k)) == 0);
         let counts = !(clear && normals.coverage);
-        found.clipped.texels += usize::from(touched && counts);
-        found.clipped.of += usize::from(counts);
-        found.clear += usize::from(clear);
+        clipped.texels += usize::from(touched && counts);
+        clipped.of += usize::from(counts);
     }
-    found
+    clipped
 }

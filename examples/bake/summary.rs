@@ -1,10 +1,10 @@
 //! What was baked: as text for people, as JSON for programs.
 
 use super::folder::Folder;
+use super::looks::deviation;
 use super::options::Options;
 use super::print::print;
 use super::roughness::Roughness;
-use super::warnings::deviation;
 use lobe::SlopeMoments;
 use lobe::material::lean::{Border, Clipped};
 use serde_json::json;

@@ -1,28 +1,16 @@
 //! Warnings about a baked map: what it looks like, for the user to judge.
 
+use super::looks;
 use super::options::Options;
-use super::slopes::{self, Slopes};
-use lobe::SlopeMoments;
+use super::slopes::Slopes;
+use super::survey::Survey;
 use lobe::material::lean::{Clipped, MomentMap};
-
-/// The largest component of a slope that codes of 8 bits may make of 0: (128, 128, 255) is 1/255, and its z may be
-/// somewhat shorter.
-const NEUTRAL: f32 = 1.5 / 255.0;
-/// The slope of a neutral texel encoded as sRGB, (188, 188, 255), and how far a map's mean may be from it.
-const SRGB: f32 = (2.0 * 188.0 - 255.0) / 255.0;
-const SRGB_NEAR: f32 = 0.06;
-/// The part of texels that may be clipped without a word.
-const CLIPPED: f64 = 0.01;
-/// The correlation of both derivatives below which y is taken to point the other way.
-const TURNED: f64 = -0.25;
-/// Texels whose derivatives are looked at, at most.
-const LOOKED_AT: usize = 1 << 20;
 
 /// A map's slopes as their file has them, before the chain takes them.
 pub(crate) struct Looks {
     lines: Vec<String>,
     clipped: Clipped,
-    clear: [usize; 2],
+    survey: Survey,
 }
 
 impl Looks {
@@ -32,93 +20,31 @@ impl Looks {
         if options.height.is_none() {
             lines.extend(slopes.survey.hints());
         }
-        Self { lines, clipped: slopes.clipped, clear: [slopes.clear, slopes.rows.len()] }
+        Self { lines, clipped: slopes.clipped, survey: slopes.survey.clone() }
     }
 
     /// All lines, by the chain of the map.
     pub(crate) fn warnings(mut self, map: &MomentMap<f32>, options: &Options) -> Vec<String> {
-        self.lines.extend(clipped(self.clipped, self.clear, options));
-        self.lines.extend(tilted(&whole(map), options));
-        if options.height.is_none() && turned(map) {
-            let (has, option) =
-                if options.flip_y { ("up", "leave --flip-y out") } else { ("down", "--flip-y") };
-            self.lines.push(format!(
-                "green looks as if it pointed {has}: the slopes are a surface's with y turned ({option})"
-            ));
+        let (normals, whole) = (options.height.is_none(), looks::whole(map));
+        let clear = if normals { clear(&self.survey) } else { None };
+        match (looks::clipped(self.clipped, &format!("--cap {}", options.steepest())), clear) {
+            (Some(clipped), Some(clear)) => self.lines.push(format!("{clipped}; {clear}")),
+            (Some(clipped), None) => self.lines.push(clipped),
+            (None, Some(clear)) if self.survey.is_masked() => self.lines.push(clear),
+            (None, _) => {}
+        }
+        let encoded =
+            if normals { looks::encoded(&whole, options.flip_y) } else { None }.unwrap_or_default();
+        self.lines.extend(looks::tilted(&whole).map(|line| line + encoded));
+        if normals {
+            let remedy = if options.flip_y { "leave --flip-y out" } else { "--flip-y" };
+            self.lines.extend(looks::turned(map, options.flip_y, remedy));
         }
         self.lines
     }
 }
 
-/// The moments of the whole map.
-pub(crate) fn whole(map: &MomentMap<f32>) -> SlopeMoments<f32> {
-    map.texel(map.levels() - 1, 0, 0)
-}
-
-/// The deviation of slopes along both axes together.
-pub(crate) fn deviation(moments: &SlopeMoments<f32>) -> f32 {
-    moments.covariance().trace().sqrt()
-}
-
-/// Texels that the cap has changed, if they are many.
-fn clipped(clipped: Clipped, clear: [usize; 2], options: &Options) -> Option<String> {
-    if clipped.fraction() <= CLIPPED {
-        return None;
-    }
-    let percent = 100.0 * clipped.fraction();
-    let mut line = format!(
-        "{percent:.1} % of the texels are steeper than --cap {} and were shortened to it",
-        options.steepest()
-    );
-    if !options.coverage && !options.channels.use_alpha() {
-        line += &slopes::clear(clear[0], clear[1]).unwrap_or_default();
-    }
-    Some(line)
-}
-
-/// A mean slope that is no rounding of 0, and more than what the map adds to it.
-fn tilted(moments: &SlopeMoments<f32>, options: &Options) -> Option<String> {
-    let [x, y] = moments.mean();
-    let (neutral, deviation) = (x.abs() <= NEUTRAL && y.abs() <= NEUTRAL, deviation(moments));
-    if neutral || x.hypot(y) <= deviation {
-        return None;
-    }
-    let mut line = if deviation == 0.0 {
-        format!("every slope is ({x:.4}, {y:.4}): the map tilts the whole surface")
-    } else {
-        format!(
-            "the mean slope ({x:.4}, {y:.4}) is larger than the deviation {deviation:.4}: \
-             the map tilts the whole surface"
-        )
-    };
-    let down = if options.flip_y { SRGB } else { -SRGB };
-    let encoded = (x + SRGB).abs() <= SRGB_NEAR && (y - down).abs() <= SRGB_NEAR;
-    if encoded && options.height.is_none() {
-        line += ", as a neutral map does that was encoded as sRGB, (188, 188, 255): save it as linear data";
-    }
-    Some(line)
-}
-
-/// Whether the slopes would be a surface's if y pointed the other way.
-///
-/// The slopes of a surface have equal mixed derivatives, d s_x / dy = d s_y / dx; with one axis turned they are opposite.
-fn turned(map: &MomentMap<f32>) -> bool {
-    let ([width, height], slopes) = (map.size(0), map.slopes());
-    if width < 3 || height < 3 {
-        return false;
-    }
-    let step = (width * height).div_ceil(LOOKED_AT);
-    let (mut both, mut first, mut second) = (0.0, 0.0, 0.0);
-    for row in (1..height - 1).step_by(step) {
-        for column in 1..width - 1 {
-            let at = |row: usize, column: usize| slopes[row * width + column].map(f64::from);
-            // Rows count down, y points up.
-            let along_y = at(row - 1, column)[0] - at(row + 1, column)[0];
-            let along_x = at(row, column + 1)[1] - at(row, column - 1)[1];
-            both += along_y * along_x;
-            first += along_y * along_y;
-            second += along_x * along_x;
-        }
-    }
-    both < TURNED * f64::sqrt(first * second)
+/// Texels of alpha 0 that count like all others, and the option that leaves them out.
+pub(crate) fn clear(survey: &Survey) -> Option<String> {
+    survey.clear().map(|line| line + ", which --coverage leaves out")
 }

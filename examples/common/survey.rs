@@ -38,6 +38,9 @@ pub(crate) struct Survey {
     largest: i64,
     /// Texels that count: with coverage only the covered ones.
     counted: usize,
+    /// All texels, and those of alpha 0.
+    texels: usize,
+    clear: usize,
     /// Texels of an alpha between 0 and 1.
     partly_clear: usize,
     /// The least and the largest number of red, green, blue and alpha.
@@ -68,6 +71,10 @@ const NO_UNIT_VECTORS: f64 = 0.1;
 /// 8 bits are off by at most about 0.01 in such a map.
 const NO_CONSTANT_Z: f64 = 0.03;
 
+/// The least part of texels that a mask of islands leaves out, and the most that may lie on their borders.
+const MASKED: f64 = 0.01;
+const BORDERS: f64 = 0.1;
+
 impl Survey {
     /// A survey that has counted no texel yet.
     pub(crate) fn new(channels: Channels, texel: Texel) -> Self {
@@ -76,6 +83,8 @@ impl Survey {
             has_alpha: texel.has_alpha(),
             largest: if texel.wide { u16::MAX.into() } else { u8::MAX.into() },
             counted: 0,
+            texels: 0,
+            clear: 0,
             partly_clear: 0,
             low: [i64::MAX; 4],
             high: [i64::MIN; 4],
@@ -119,6 +128,8 @@ impl Survey {
         for texel in bytes.chunks_exact(texel.bytes()) {
             let [r, g, b] = roles.map(|k| Into::<i64>::into(C::at(texel, k)));
             let alpha = alpha.map_or(largest, |k| C::at(texel, k).into());
+            self.texels += 1;
+            self.clear += usize::from(alpha == 0);
             self.partly_clear += usize::from(alpha > 0 && alpha < largest);
             let most = r.max(g).max(b);
             self.below_alpha &= most <= alpha;
@@ -151,6 +162,8 @@ impl Survey {
     /// Takes the counts of another band of the picture in.
     pub(crate) fn join(&mut self, other: &Self) {
         self.counted += other.counted;
+        self.texels += other.texels;
+        self.clear += other.clear;
         self.partly_clear += other.partly_clear;
         for k in 0..4 {
             self.low[k] = self.low[k].min(other.low[k]);
@@ -172,6 +185,20 @@ impl Survey {
     /// Whether red, green and blue are equal, or as good as equal, in all texels but one of a thousand.
     pub(crate) fn is_grey(&self) -> bool {
         COLOURED * self.coloured <= self.counted
+    }
+
+    /// How many texels of alpha 0 count like all others, if any do.
+    pub(crate) fn clear(&self) -> Option<String> {
+        let ignored = self.clear > 0 && !self.covered && !self.channels.use_alpha();
+        let percent = 100.0 * self.clear as f64 / self.texels as f64;
+        ignored.then(|| format!("alpha is 0 in {percent:.1} % of all texels"))
+    }
+
+    /// Whether alpha looks like a mask of islands: 0 in many texels and between 0 and 1 in few.
+    pub(crate) fn is_masked(&self) -> bool {
+        let [clear, partly] =
+            [self.clear, self.partly_clear].map(|n| n as f64 / self.texels as f64);
+        clear > MASKED && partly < BORDERS
     }
 
     /// Why the texels are no normals, if they are none; `heights` says who reads heights.

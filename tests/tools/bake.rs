@@ -317,14 +317,15 @@ fn mistakes_are_one_line_that_names_them() {
     let folder = folder("mistakes");
     let (input, out) = (folder.join("normal.png"), folder.join("moments"));
     fs::write(&input, rgb(&texels())).expect("a file");
-    let cases: [(&[&str], &str); 31] = [
+    let cases: [(&[&str], &str); 32] = [
         (&["--cap", "0"], "--cap"),
         (&["--cap", "-1"], "--cap"),
         (&["--cap", "NaN"], "--cap"),
         (&["--cap", "steep"], "--cap"),
+        (&["--cap", "1e39"], "'1e39' for '--cap <SLOPE>': not a finite number"),
         (&["--range", "0.1"], "--range 0.1: the map's slopes reach"),
         (&["--range", "0"], "--range 0: must lie in"),
-        (&["--range", "NaN"], "--range NaN: must lie in"),
+        (&["--range", "NaN"], "'NaN' for '--range <SLOPE>': not a finite number"),
         (&["--range", "inf"], "--range"),
         (&["--range", "x"], "--range"),
         (&["--border", "mirror"], "--border"),

@@ -21,6 +21,8 @@ mod integrity;
 mod kernels;
 mod level;
 mod light;
+#[path = "../../common/looks.rs"]
+mod looks;
 mod method;
 mod metric;
 mod minify;

@@ -12,8 +12,9 @@ use crate::channels::Channels;
 use crate::facets::{self, Facets};
 use crate::glints::{self, Glitter};
 use crate::kernels::Kernels;
+use crate::looks;
 use crate::method;
-use crate::minify::Minified;
+use crate::minify::{self, Minified, STEEPEST};
 use crate::options::{Mistake, Options, Scenes};
 use crate::output::{self, Output};
 use crate::page::{self, Report};
@@ -182,9 +183,21 @@ fn normal_map(path: &Path, channels: Channels) -> Result<NormalMap, Mistake> {
     let mistake = |error: String| Mistake(named(&error));
     let file = picture::bytes_of(path).map_err(mistake)?;
     let Decoded { texture, hints } = Texture::decode(&file, channels).map_err(mistake)?;
-    for hint in hints {
+    for hint in
+        hints.into_iter().chain(looks_of(&texture).map_err(|error| mistake(error.to_string()))?)
+    {
         eprintln!("warning: {}", named(&hint));
     }
     let name = path.file_stem().map_or("normal map".into(), |stem| stem.to_string_lossy());
     Ok(NormalMap { name: name.into_owned(), texture: Arc::new(texture) })
+}
+
+/// What the slopes of a user's map look like, a line each.
+fn looks_of(texture: &Texture) -> Result<Vec<String>, lobe::Error> {
+    let (map, clipped) = minify::moments(texture)?;
+    let (whole, cap) = (looks::whole(&map), format!("a slope of {STEEPEST}"));
+    let encoded = looks::encoded(&whole, false).unwrap_or_default();
+    let tilted = looks::tilted(&whole).map(|line| line + encoded);
+    let turned = looks::turned(&map, false, "turn its green round");
+    Ok(looks::clipped(clipped, &cap).into_iter().chain(tilted).chain(turned).collect())
 }

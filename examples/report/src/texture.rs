@@ -50,6 +50,8 @@ impl Texture {
             return Err(line);
         }
         hints.extend(survey.hints());
+        let masked = if survey.is_masked() { survey.clear() } else { None };
+        hints.extend(masked.map(|line| line + ", which count like all others"));
         Ok(Decoded { texture: Self { level: Level::new(size, normals) }, hints })
     }
 

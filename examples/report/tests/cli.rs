@@ -107,13 +107,15 @@ fn checksum(bytes: &[u8]) -> u32 {
 fn what_a_normal_map_looks_like_is_told_and_its_channels_are_named() {
     let folder = folder("looks");
     let map = folder.join("map.png");
-    let mut file = Vec::new();
-    let mut encoder = png::Encoder::new(&mut file, 4, 1);
-    encoder.set_color(png::ColorType::Rgba);
+    let write = |texels: &[[u8; 4]]| {
+        let mut file = Vec::new();
+        let mut encoder = png::Encoder::new(&mut file, 4, texels.len() as u32 / 4);
+        encoder.set_color(png::ColorType::Rgba);
+        encoder.write_header().unwrap().write_image_data(texels.as_flattened()).unwrap();
+        fs::write(&map, &file).unwrap();
+    };
     // x in alpha, y in green.
-    let texels: Vec<u8> = (0..4).flat_map(|k| [255, 120 + 9 * k, 255, 140 - 11 * k]).collect();
-    encoder.write_header().unwrap().write_image_data(&texels).unwrap();
-    fs::write(&map, &file).unwrap();
+    write(&[0, 1, 2, 3].map(|k| [255, 120 + 9 * k, 255, 140 - 11 * k]));
     let map = map.to_str().unwrap();
     // The map is looked at first: then the run ends, as a file is in the folder's place.
     let run = |channels: &str| {
@@ -126,8 +128,35 @@ fn what_a_normal_map_looks_like_is_told_and_its_channels_are_named() {
     let mut lines = said.lines();
     let hint = lines.next().unwrap();
     assert!(hint.starts_with("warning: --normal-map") && hint.contains("--channels ag"), "{said}");
-    assert!(lines.next().unwrap().starts_with("error: --out"), "{said}");
+    assert!(lines.next_back().unwrap().starts_with("error: --out"), "{said}");
     assert_eq!(run("ag").lines().count(), 1);
+    // Slopes are told of as `bake` tells of them: a flat colour that is not flat, texels at the horizon, y that points down.
+    let (rising, flat, fallen) = ([134, 121, 255, 255], [118, 118, 255, 255], [0, 128, 128, 255]);
+    let (sinking, neutral) = ([121, 134, 255, 255], [128, 128, 255, 255]);
+    for (texels, expected) in [
+        (&[flat; 4][..], "every slope is (0.0745, 0.0745)"),
+        (
+            &[neutral, fallen, neutral, neutral],
+            "25.0 % of the texels are steeper than a slope of 10",
+        ),
+        (
+            &[
+                [neutral, rising, neutral, sinking],
+                [sinking, neutral, rising, neutral],
+                [neutral, sinking, neutral, rising],
+                [rising, neutral, sinking, neutral],
+            ]
+            .concat(),
+            "green looks as if it pointed down",
+        ),
+    ] {
+        write(texels);
+        let said = run("rgb");
+        assert!(
+            said.lines().any(|line| line.starts_with("warning: ") && line.contains(expected)),
+            "{said}"
+        );
+    }
     assert!(run("rr").contains("--channels"));
     assert!(refusal(&["--channels", "ag"]).contains("--normal-map"));
 }

@@ -116,6 +116,28 @@ fn clipping_is_told_with_what_may_have_caused_it() {
                  alpha is 0 in 33.3 % of all texels, which --coverage leaves out";
     assert_eq!(warnings[0], first);
     assert_eq!(warned(&input, &out, &["--coverage"]).1, [""; 0]);
+    // Islands on white, whose slope no cap shortens, and on the neutral colour: alpha that looks like a mask is told of,
+    // alpha that has all values is not.
+    for around in [255, 128] {
+        let island = |k: u32, clear: u8| {
+            if k % 3 == 0 {
+                [around, around, 255, clear]
+            } else {
+                [120 + (k % 16) as u8, 128, 254, 255]
+            }
+        };
+        let masked: Vec<u8> = (0..96).flat_map(|k| island(k, 0)).collect();
+        fs::write(&input, picture([12, 8], ColorType::Rgba, BitDepth::Eight, &masked))
+            .expect("a file");
+        let (_, warnings) = warned(&input, &out, &[]);
+        let told = "alpha is 0 in 33.3 % of all texels, which --coverage leaves out";
+        assert!(warnings.iter().any(|line| line == told), "{warnings:?}");
+        let heights: Vec<u8> = (0..96).flat_map(|k| island(k, (k / 3 * 8) as u8)).collect();
+        fs::write(&input, picture([12, 8], ColorType::Rgba, BitDepth::Eight, &heights))
+            .expect("a file");
+        let (_, warnings) = warned(&input, &out, &[]);
+        assert!(warnings.iter().all(|line| !line.contains("alpha is 0")), "{warnings:?}");
+    }
     // A map that is refused with alpha read as x: alpha is no coverage then.
     let steep: Vec<u8> = (0..96_u8).flat_map(|k| [k, 128, 9, k / 90 * 255]).collect();
     fs::write(&input, picture([12, 8], ColorType::Rgba, BitDepth::Eight, &steep)).expect("a file");

@@ -29,7 +29,7 @@ use view::{Station, View};
 
 pub(crate) use method::{all as methods, name};
 pub(crate) use panel::{Panel, Row};
-pub(crate) use texels::STEEPEST;
+pub(crate) use texels::{STEEPEST, moments};
 pub(crate) use view::TURN;
 pub(crate) use zoom::{Track, Zoom};
 

@@ -1,7 +1,7 @@
 //! A map made ready: its slopes, their moments, and the mean normals that plain mips hold.
 
 use lobe::Error;
-use lobe::material::lean::{Border, MomentMap, SlopeCap};
+use lobe::material::lean::{Border, Clipped, MomentMap, SlopeCap};
 use lobe::slope::direction::normal_of;
 
 use crate::level::{Chain, Level};
@@ -9,6 +9,24 @@ use crate::texture::Texture;
 
 /// The steepest slope, 84 degrees: maps of 8 bits hold nothing between it and the horizon but rounding.
 pub(crate) const STEEPEST: f32 = 10.0;
+
+/// A map's slopes, none steeper than [`STEEPEST`], and how many were.
+fn slopes(texture: &Texture) -> Result<(Vec<[f32; 2]>, Clipped), Error> {
+    let cap = SlopeCap::new(STEEPEST)?;
+    let mut clipped = Clipped { texels: 0, of: texture.normals().len() };
+    let slopes = texture.normals().iter().map(|&normal| {
+        let (slope, steeper) = cap.slope(normal);
+        clipped.texels += usize::from(steeper);
+        slope
+    });
+    Ok((slopes.collect(), clipped))
+}
+
+/// A map's chain of moments, and how many of its texels were steeper than [`STEEPEST`].
+pub(crate) fn moments(texture: &Texture) -> Result<(MomentMap<f32>, Clipped), Error> {
+    let (slopes, clipped) = slopes(texture)?;
+    Ok((MomentMap::from_slopes(texture.size(), slopes, Border::Wrap)?, clipped))
+}
 
 /// What the methods look up. All of it is made of the same slopes.
 pub(super) struct Texels {
@@ -27,16 +45,8 @@ pub(super) struct Texels {
 
 impl Texels {
     pub(super) fn of(texture: &Texture) -> Result<Self, Error> {
-        let cap = SlopeCap::new(STEEPEST)?;
-        let mut clipped = 0;
-        let slopes = texture.normals().iter().map(|&normal| {
-            let (slope, steeper) = cap.slope(normal);
-            clipped += usize::from(steeper);
-            slope
-        });
-        let slopes: Vec<_> = slopes.collect();
-        let clipped = clipped as f64 / slopes.len() as f64;
-        Ok(Self { clipped, ..Self::of_slopes(texture.size(), slopes)? })
+        let (slopes, clipped) = slopes(texture)?;
+        Ok(Self { clipped: clipped.fraction(), ..Self::of_slopes(texture.size(), slopes)? })
     }
 
     pub(super) fn of_slopes(size: [usize; 2], slopes: Vec<[f32; 2]>) -> Result<Self, Error> {
