@@ -76,9 +76,9 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// along one axis, is the mass of the chord that the footprint cuts from the line through the mean slope,
     /// $\frac12 [x/\sqrt{\alpha^2 + x^2}]$ between the chord's ends, over the area. A footprint without area has
     /// the mean 0 of a mirror, and of a groove unless it is a segment that crosses it. Alphas in between tend to these
-    /// values: below 1e-9 in f32 within 1e-4 of one over the area. In f32 a lobe counts as a mirror or as a groove if
-    /// $\sqrt{\det A}$ is no normal number, or if the footprint is longer than $2^{48}$ of the narrower alpha ($2^{106}$
-    /// in f64).
+    /// values: below 1e-9 in f32 within 1e-4 of one over the area. A lobe also counts as a mirror or as a groove if
+    /// $\sqrt{\det A}$ is no normal number of f32, if the footprint is thicker than $2^{48}$ of the wider alpha, or if it
+    /// reaches across a groove, of alphas $2^{24}$ apart, by $2^{48}$ of the narrower one ($2^{106}$ in f64).
     ///
     /// Source: derived here by Green's theorem; the polygon integral of Loubet et al. 2020 in another
     /// form. It answers the open question of Kaplanyan et al. 2016, section 5.3.
@@ -195,8 +195,8 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// unfiltered.
     ///
     /// $\tilde D = \overline{P_{22}} / m_z^4$, then as [`Ndf::brdf`], with the height $m_z$ of the normals that the mean
-    /// comes from: of a zero footprint the half vector's, and then the result is the BRDF. At half vectors so low
-    /// that $P_{22}$ has no normal number it is the BRDF, too. Sides of NaN count as huge.
+    /// comes from: of a zero footprint the half vector's, and then the result is the BRDF. It is the BRDF as well where
+    /// $P_{22}$ has no normal number, unless the footprint reaches the lobe. Sides of NaN count as huge.
     ///
     /// Kaplanyan divides by the half vector's $h_z^4$: of a half vector near the horizon whose footprint reaches the
     /// lobe the mean is the lobe's, and the factor, far beyond a million, is not. What a pixel sees is the mean of

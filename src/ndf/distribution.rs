@@ -21,7 +21,7 @@ pub trait Distribution: sealed::Sealed + Copy {
     ///
     /// The density is homogeneous of degree 0 in form (2), z (1) and length, so that a half vector need not
     /// be normalised. The weight is a factor within: a density below the range of f32 times a visibility
-    /// above 1 need not be. `root_det` = 0 may give NaN: callers select.
+    /// above 1 need not be. 0 of a mirror, whose `root_det` is 0.
     ///
     /// WGSL: `lobe_ggx_density`, `lobe_beckmann_density`.
     fn density<R: Real>(form: R, root_det: R, z: R, length_squared: R, weight: R) -> R;
@@ -96,7 +96,7 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
         let form = self.shape.form([-s[0], -s[1], one], [zero; 3]);
         let root_det = self.shape.root_det();
         let density = D::density(form, root_det, one, one, inverse_pi::<S::Scalar>());
-        density.max(zero).min(if root_det > zero { S::Scalar::MAX } else { zero })
+        density.max(zero).min(S::Scalar::MAX)
     }
 
     /// Density of normals $D(m) = P_{22}(s(m)) / m_z^4$, per solid angle.
@@ -119,7 +119,7 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
         let form = self.shape.form(m, [zero; 3]);
         let root_det = self.shape.root_det();
         let density = D::density(form, root_det, m[2], one, inverse_pi::<S::Scalar>());
-        density.max(zero).min(if m[2].min(root_det) > zero { S::Scalar::MAX } else { zero })
+        density.max(zero).min(if m[2] > zero { S::Scalar::MAX } else { zero })
     }
 
     /// The BRDF without Fresnel, $D(h)\, G_2 / (4 c_o c_i)$, per solid angle.
@@ -149,7 +149,6 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
         // Directions above the surface have a half vector above it; above a tilted plane, not always.
         let lowest = if S::CENTRED { lowest } else { lowest.min(z) };
         // A limit of 0 instead of a branch: loops over samples stay free of jumps.
-        let lowest = lowest.min(self.shape.root_det());
         let limit = if lowest > S::Scalar::ZERO { S::Scalar::MAX } else { S::Scalar::ZERO };
         brdf.max(S::Scalar::ZERO).min(limit)
     }
@@ -197,8 +196,7 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
         let area = self.projected_area(wo);
         let weight = quarter * inverse_pi::<S::Scalar>() / area.max(S::Scalar::MIN_POSITIVE);
         let (value, z) = self.half_density(wo, wi, weight);
-        let lowest = area.min(z).min(self.shape.root_det());
-        let limit = if lowest > S::Scalar::ZERO { S::Scalar::MAX } else { S::Scalar::ZERO };
+        let limit = if area.min(z) > S::Scalar::ZERO { S::Scalar::MAX } else { S::Scalar::ZERO };
         value.max(S::Scalar::ZERO).min(limit)
     }
 }

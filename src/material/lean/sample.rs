@@ -169,7 +169,11 @@ impl<R: Real> MomentMap<R> {
         Corners {
             texels: places.map(|[column, row]| self.relative(level, column, row)),
             shares: [p * q, x * q, p * y, x * y],
-            weights: places.map(|[column, row]| self.weight(level, column, row)),
+            weights: if self.weights.is_empty() {
+                [R::ONE; 4]
+            } else {
+                places.map(|[column, row]| self.weight(level, column, row))
+            },
         }
     }
 

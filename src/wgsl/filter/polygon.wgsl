@@ -164,12 +164,13 @@ fn lobe_polygon_groove_over(shape: LobeTilted, wo: vec3f, wi: vec3f, covered: Lo
     return lobe_below_infinity(lobe_max(lobe_defined(filtered), 0.0));
 }
 
-// Rust: `Ndf::groove_place`, for sides that are nearly parallel.
+// Rust: `Ndf::groove_place`, and the test of `secant_ratio` for sides that are nearly parallel.
 fn lobe_polygon_groove_place(
     shape: LobeTilted, w: LobeWhitened, offset: vec4f, footprint: LobeFootprint
 ) -> LobeSecantFirst {
-    let none = LobeSecantFirst(false, vec2f(0.0, 0.0), 0.0);
-    if !lobe_secant_is_parallel(w) {
+    let parallel = lobe_secant_is_parallel(w);
+    let none = LobeSecantFirst(parallel, false, vec2f(0.0, 0.0), 0.0);
+    if !parallel {
         return none;
     }
     let major = lobe_full_major(shape.shape);
@@ -181,7 +182,7 @@ fn lobe_polygon_groove_place(
     let place = lobe_groove_covered(shape.shape, offset, footprint).place;
     let x = lobe_kept(place.x / alpha);
     let y = lobe_kept(place.y / alpha);
-    return LobeSecantFirst(true, lobe_polygon_at_place(shape, place), x * x + y * y);
+    return LobeSecantFirst(true, true, lobe_polygon_at_place(shape, place), x * x + y * y);
 }
 
 // Rust: `Ndf::at_place`.

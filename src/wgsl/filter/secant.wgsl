@@ -1,7 +1,9 @@
 // How high the normals stand that a mean comes from. Rust: src/filter/secant.rs.
 
-// WGSL only: an option in Rust: the first slope and its q, known if the lobe is a groove to the footprint.
+// WGSL only: an option in Rust: the first slope and its q, known if the lobe is a groove to the footprint; and whether the
+// whitened sides are nearly parallel.
 struct LobeSecantFirst {
+    parallel: bool,
     known: bool,
     s: vec2f,
     squared: f32,
@@ -26,7 +28,7 @@ fn lobe_secant_ratio(
     var s = groove.s;
     var first_squared = groove.squared;
     if !groove.known {
-        let place = lobe_secant_first_place(w, u_squared, v_squared);
+        let place = lobe_secant_first_place(w, u_squared, v_squared, groove.parallel);
         s = vec2f(slope.x + place.x * u.x + place.y * v.x, slope.y + place.x * u.y + place.y * v.y);
         first_squared = place.z;
     }
@@ -42,8 +44,8 @@ fn lobe_secant_ratio(
 }
 
 // Rust: `first_place`.
-fn lobe_secant_first_place(w: LobeWhitened, u_squared: f32, v_squared: f32) -> vec3f {
-    let densest = lobe_secant_densest(w, u_squared, v_squared);
+fn lobe_secant_first_place(w: LobeWhitened, u_squared: f32, v_squared: f32, parallel: bool) -> vec3f {
+    let densest = lobe_secant_densest(w, u_squared, v_squared, parallel);
     let nearest = lobe_secant_at(w, densest.x, densest.y);
     let reach = 4.0 * (1.0 + lobe_strip_dot(nearest, nearest));
     let of_u = u_squared / (u_squared + reach);
@@ -65,14 +67,14 @@ fn lobe_secant_at(w: LobeWhitened, i: f32, j: f32) -> vec2f {
 }
 
 // Rust: `densest`.
-fn lobe_secant_densest(w: LobeWhitened, u_squared: f32, v_squared: f32) -> vec2f {
+fn lobe_secant_densest(w: LobeWhitened, u_squared: f32, v_squared: f32, parallel: bool) -> vec2f {
     let u = w.u;
     let v = w.v;
     let centre = w.centre;
     let area = u.x * v.y - u.y * v.x;
     let i = -((centre.x * v.y - centre.y * v.x) / area);
     let j = (centre.x * u.y - centre.y * u.x) / area;
-    if lobe_secant_is_parallel(w) {
+    if parallel {
         let sign = select(1.0, -1.0, lobe_strip_dot(u, v) < 0.0);
         let both = vec2f(u.x + sign * v.x, u.y + sign * v.y);
         let t = lobe_secant_along(centre, both, lobe_strip_dot(both, both)).x;
