@@ -5,6 +5,7 @@
 //! No such compiler runs here; `-ffast-math` allows a C++ compiler the same, and Clang shares its optimiser with Metal's.
 
 use std::fmt::Write as _;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -20,6 +21,9 @@ use lobe_report::spirv;
 const METAL: &str = include_str!("cpp/metal.hpp");
 /// What evaluates twins on items from the standard input.
 const MAIN: &str = include_str!("cpp/main.hpp");
+
+/// What every program is compiled with.
+const FLAGS: [&str; 3] = ["-std=c++17", "-w", "-fno-strict-aliasing"];
 
 /// Words that one item may read or write, as `main.hpp` has it.
 const WORDS: usize = 64;
@@ -61,7 +65,8 @@ pub struct Program {
 }
 
 impl Program {
-    /// Compiles `twins` with `flags` to the file `path`, and leaves the source beside it.
+    /// Compiles `twins` with `flags` to a file in `folder`, whose name ends in a hash of compiler, flags and source, and
+    /// leaves the source beside it. A program that is there already is not compiled again.
     ///
     /// # Errors
     ///
@@ -74,21 +79,38 @@ impl Program {
         compiler: &str,
         flags: &[&str],
         twins: &[Twin],
-        path: &Path,
+        folder: &Path,
     ) -> Result<Self, String> {
-        let source = path.with_extension("cpp");
-        std::fs::write(&source, text(twins)?)
-            .map_err(|error| format!("{}: {error}", source.display()))?;
-        let output = command(compiler)
-            .args(["-std=c++17", "-w", "-fno-strict-aliasing"])
-            .args(flags)
-            .args([source.as_path(), Path::new("-o"), path])
-            .output()
-            .map_err(|error| format!("{compiler}: {error}"))?;
-        if !output.status.success() {
-            return Err(format!("{compiler}: {}", String::from_utf8_lossy(&output.stderr)));
+        let run = |command: &mut Command| {
+            let output = command.output().map_err(|error| format!("{compiler}: {error}"))?;
+            let said = if output.status.success() { &output.stdout } else { &output.stderr };
+            let said = String::from_utf8_lossy(said).into_owned();
+            if output.status.success() { Ok(said) } else { Err(format!("{compiler}: {said}")) }
+        };
+        let text = text(twins)?;
+        let version = run(command(compiler).arg("--version"))?;
+        let mut hasher = DefaultHasher::new();
+        (compiler, version, FLAGS, flags, &text).hash(&mut hasher);
+        let path = folder.join(format!("twins_{:016x}", hasher.finish()));
+        if path.exists() {
+            return Ok(Self { path });
         }
-        Ok(Self { path: path.to_owned() })
+        // By process, as two runs at once may share the folder; in place as a whole.
+        let built = path.with_extension(std::process::id().to_string());
+        let source = built.with_extension(format!("{}.cpp", std::process::id()));
+        let of = |file: &Path| {
+            let name = file.display().to_string();
+            move |error: std::io::Error| format!("{name}: {error}")
+        };
+        std::fs::write(&source, text).map_err(of(&source))?;
+        run(command(compiler).args(FLAGS).args(flags).args([
+            source.as_path(),
+            Path::new("-o"),
+            &built,
+        ]))?;
+        std::fs::rename(&source, path.with_extension("cpp")).map_err(of(&source))?;
+        std::fs::rename(&built, &path).map_err(of(&built))?;
+        Ok(Self { path })
     }
 
     /// The results of the twins that it was made of, each on its own inputs.

@@ -39,17 +39,13 @@ struct Built {
 static BUILT: LazyLock<Built> = LazyLock::new(|| {
     let twins = all();
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
-    let build = |(k, compiler): (usize, String)| {
-        let build = |name: &str, flags: &[&str]| {
-            // By process, as two runs at once may share the folder.
-            let name = format!("{name}_{k}_{}", std::process::id());
-            Program::new(&compiler, flags, &twins, &folder.join(name))
-        };
-        let strict = build("strict", &["-O1", "-ffp-contract=off"]);
-        let fast = strict.and_then(|strict| Ok([strict, build("fast", &["-O2", "-ffast-math"])?]));
+    let build = |compiler: String| {
+        let build = |flags: &[&str]| Program::new(&compiler, flags, &twins, folder);
+        let strict = build(&["-O1", "-ffp-contract=off"]);
+        let fast = strict.and_then(|strict| Ok([strict, build(&["-O2", "-ffast-math"])?]));
         (compiler, fast)
     };
-    let programs = compilers().into_iter().enumerate().map(build).collect();
+    let programs = compilers().into_iter().map(build).collect();
     Built { twins, programs }
 });
 
