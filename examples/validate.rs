@@ -8,10 +8,13 @@
 mod budget;
 #[path = "common/mistake.rs"]
 mod mistake;
+#[path = "common/say.rs"]
+mod say;
 #[path = "../tests/common/tables/mod.rs"]
 mod tables;
 
 use clap::Parser;
+use say::say;
 use serde::Serialize;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -31,7 +34,8 @@ use tables::{Outcome, Quantity, Table, evaluate, read_directory};
     there by the library in f64, expected + f64(nearest) - f64(given). f64 is judged by the expected value\n\
     as it stands. The output counts these rows (rounded) and names the first. Rows whose nearest f32s the\n\
     library refuses or are 0 for what is none, whose expected value exceeds the range of f32, or whose move\n\
-    cancels (its roundings exceed 1e-9 of the moved value), are left out of f32 and counted.")]
+    cancels (its roundings exceed 1e-9 of the moved value), are left out of f32 and counted; a table of\n\
+    which no row is left counts as over budget.")]
 struct Options {
     /// Directory of CSV tables, one quantity each, named by the file's stem [default: the golden tables].
     directory: Option<PathBuf>,
@@ -68,11 +72,12 @@ impl<'a> Line<'a> {
         let precision = if single { "f32" } else { "f64" };
         let table = source.stem.as_str();
         let &Outcome { rows, max_rel, p99_rel, max_ulp, worst_row, bad, rounded } = outcome;
-        // A quantity without a budget would pass whatever it returns.
-        let broken = budget::budget_of(table, single).map_or_else(
-            || Some("no budget in tests/budget.rs".to_owned()),
-            |budget| budget.broken_by(max_rel, p99_rel, bad),
-        );
+        // A quantity without a budget would pass whatever it returns, and so would a table without a row to judge by.
+        let broken = match budget::budget_of(table, single) {
+            None => Some("no budget in tests/budget.rs".to_owned()),
+            Some(_) if rows == 0 => Some(format!("no row by which {precision} can be judged")),
+            Some(budget) => budget.broken_by(max_rel, p99_rel, bad),
+        };
         let over = broken.map(|reason| format!("{table} {precision}: {reason}"));
         let note = rounded.first.map(|[row, column]| {
             let (name, value) = (quantity.inputs[column], source.rows[row][column]);
@@ -150,10 +155,8 @@ fn run(options: &Options) -> Result<bool, String> {
     }
     // The generator of the golden tables lies among them.
     if directory.is_some() && !found.ignored.is_empty() {
-        eprintln!(
-            "validate: ignored, as their names do not end in .csv: {}",
-            found.ignored.join(", ")
-        );
+        let ignored = found.ignored.join(", ");
+        say(&format!("validate: ignored, as their names do not end in .csv: {ignored}"));
     }
     let mut out = std::io::stdout().lock();
     let written = if options.json {
@@ -181,7 +184,7 @@ fn main() -> ExitCode {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::from(1),
         Err(message) => {
-            eprintln!("validate: {message}");
+            say(&format!("validate: {message}"));
             ExitCode::from(2)
         }
     }

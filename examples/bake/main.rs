@@ -15,6 +15,7 @@ mod integrity;
 mod looks;
 #[path = "../common/mistake.rs"]
 mod mistake;
+mod number;
 mod options;
 #[path = "../common/picture.rs"]
 mod picture;
@@ -23,6 +24,8 @@ mod print;
 #[path = "../common/progress.rs"]
 mod progress;
 mod roughness;
+#[path = "../common/say.rs"]
+mod say;
 mod slopes;
 mod summary;
 #[path = "../common/survey.rs"]

@@ -2,6 +2,7 @@
 
 use super::channels::Channels;
 use super::mistake;
+use super::number::Number;
 use super::roughness::{Kind, Roughness};
 use clap::{Parser, ValueEnum};
 use lobe::material::lean::{Border, HeightField, SlopeCap, Unorm16};
@@ -32,12 +33,12 @@ pub(crate) struct Options {
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
     /// The steepest slope: longer ones are shortened to it.
-    #[arg(long, value_name = "SLOPE", default_value_t = 10.0, value_parser = finite, allow_negative_numbers = true)]
-    cap: f32,
+    #[arg(long, value_name = "SLOPE", default_value = "10", allow_negative_numbers = true)]
+    cap: Number,
     /// The range of slopes that 16 bits hold; by default the smallest power of two that holds the map's.
-    #[arg(long, value_name = "SLOPE", value_parser = finite, allow_negative_numbers = true)]
-    range: Option<f32>,
-    /// What lies beyond the edges.
+    #[arg(long, value_name = "SLOPE", allow_negative_numbers = true)]
+    range: Option<Number>,
+    /// What lies beyond the edges; heights have one-sided differences at clamped ones.
     #[arg(long, value_name = "WHAT", value_enum, default_value_t = Edge::Wrap)]
     pub(crate) border: Edge,
     /// Channels of x, y and z by their letters, r, g, b or a; of two, as rg (BC5), ag (DXT5nm: x in alpha, y in green)
@@ -51,23 +52,23 @@ pub(crate) struct Options {
     /// slope.
     #[arg(long, conflicts_with = "height")]
     pub(crate) coverage: bool,
-    /// Turn y: for maps whose green points down (DirectX). y is up in what is written.
+    /// Negate y: for maps whose green points down (DirectX). y is up in what is written.
     #[arg(long)]
     pub(crate) flip_y: bool,
     /// The map is a displacement map: grey (or colours with red = green = blue), and white is this high.
-    #[arg(long, value_name = "SCALE", requires = "texel", value_parser = finite, allow_negative_numbers = true)]
+    #[arg(long, value_name = "SCALE", requires = "texel", allow_negative_numbers = true)]
     #[arg(conflicts_with = "channels")]
-    pub(crate) height: Option<f32>,
+    pub(crate) height: Option<Number>,
     /// The distance of a displacement map's texels, in the unit of --height.
-    #[arg(long, value_name = "SIZE", requires = "height", value_parser = finite, allow_negative_numbers = true)]
-    pub(crate) texel: Option<f32>,
+    #[arg(long, value_name = "SIZE", requires = "height", allow_negative_numbers = true)]
+    pub(crate) texel: Option<Number>,
     /// Write roughness mips, too: roughness.K.png, one channel, for a material of this roughness, 0 to 1, under the map.
     ///
     /// alpha_K^2 = alpha^2 + tr Sigma_K: the isotropic lobe with the mean square slope of the material and of the map's
     /// texels together, about their mean slope, which mean.K.png or the engine's own mips of normals hold. Codes are
     /// rounded to the nearest; roughnesses above 1 are written as 1 and counted.
     #[arg(long = "roughness", value_name = "BASE", allow_negative_numbers = true)]
-    base: Option<f64>,
+    base: Option<Number>,
     /// What BASE and the codes of roughness.K.png are: alpha, or its square root, as glTF and most engines have it.
     #[arg(long, value_name = "KIND", value_enum, default_value_t = Kind::Perceptual, requires = "base")]
     roughness_as: Kind,
@@ -75,21 +76,15 @@ pub(crate) struct Options {
     #[arg(long, value_name = "BITS", value_parser = ["8", "16"], default_value = "8", requires = "base")]
     roughness_bits: String,
     /// Threads; by default as many as there are cores.
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
-}
-
-/// A number of the command line; one beyond the range of f32 is refused as it was written.
-fn finite(text: &str) -> Result<f32, String> {
-    let number: f32 = text.parse().map_err(|_| "not a number".to_owned())?;
-    if number.is_finite() { Ok(number) } else { Err("not a finite number of 32 bits".to_owned()) }
+    #[arg(long, value_name = "COUNT", value_parser = threads)]
+    threads: Option<usize>,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
 pub(crate) enum Edge {
     /// The map again.
     Wrap,
-    /// Its outermost texels.
+    /// Its outermost texels, repeated.
     Clamp,
 }
 
@@ -109,8 +104,16 @@ pub(crate) struct Relief {
     pub(crate) border: Border,
 }
 
+/// How many threads there may be.
+fn threads(given: &str) -> Result<usize, &'static str> {
+    let count = given.parse().ok().filter(|count| (1..=1024).contains(count));
+    count.ok_or("must be a whole number from 1 to 1024")
+}
+
 /// The smallest range that 16 bits are given by themselves: a power of two above the library's least.
 const LEAST_RANGE: f32 = 1.0 / (1 << 29) as f32;
+/// The library's largest range, beyond the last power of two below it.
+const LARGEST_RANGE: f32 = 1e9;
 
 impl Options {
     /// The options, or the exit code after help or a mistake, which is one line.
@@ -119,29 +122,32 @@ impl Options {
     }
 
     pub(crate) fn cap(&self) -> Result<SlopeCap<f32>, String> {
-        SlopeCap::new(self.cap).map_err(|error| format!("--cap {}: {error}", self.cap))
+        SlopeCap::new(self.cap.single).map_err(|error| format!("--cap {}: {error}", self.cap))
     }
 
     /// The steepest slope, as given.
-    pub(crate) fn steepest(&self) -> f32 {
-        self.cap
+    pub(crate) fn steepest(&self) -> &Number {
+        &self.cap
     }
 
     /// What roughness mips are made of, if they are asked for.
     pub(crate) fn roughness(&self) -> Result<Option<Roughness>, String> {
         let wide = self.roughness_bits == "16";
-        let roughness = self.base.map(|base| Roughness::new(base, self.roughness_as, wide));
-        let refused = |error| format!("--roughness {}: {error}", self.base.unwrap_or_default());
-        roughness.transpose().map_err(refused)
+        let roughness = self.base.as_ref().map(|base| {
+            Roughness::new(base.double, self.roughness_as, wide)
+                .map_err(|error| format!("--roughness {base}: {error}"))
+        });
+        roughness.transpose()
     }
 
     /// What a displacement map needs, if the input is one.
     pub(crate) fn relief(&self) -> Result<Option<Relief>, String> {
-        let (Some(displacement), Some(texel)) = (self.height, self.texel) else {
+        let (Some(height), Some(distance)) = (&self.height, &self.texel) else {
             return Ok(None);
         };
+        let (displacement, texel) = (height.single, distance.single);
         if !(texel > 0.0) {
-            return Err(format!("--texel {texel}: a distance must be positive"));
+            return Err(format!("--texel {distance}: a distance must be positive"));
         }
         // Rows count down, y points up.
         let down = if self.flip_y { texel } else { -texel };
@@ -150,8 +156,8 @@ impl Options {
         // Checked with one texel, before there are any.
         match HeightField::new([1, 1], &[0.0], relief.texel, displacement, relief.border) {
             Ok(_) => Ok(Some(relief)),
-            Err(lobe::Error::Texel) => Err(format!("--texel {texel}: {}", lobe::Error::Texel)),
-            Err(error) => Err(format!("--height {displacement}: {error}")),
+            Err(lobe::Error::Texel) => Err(format!("--texel {distance}: {}", lobe::Error::Texel)),
+            Err(error) => Err(format!("--height {height}: {error}")),
         }
     }
 
@@ -165,7 +171,7 @@ impl Options {
 
     /// What is wrong with the range, whatever the map.
     pub(crate) fn check_range(&self) -> Result<(), String> {
-        match self.range.map(|range| (range, Unorm16::new(range))) {
+        match self.range.as_ref().map(|range| (range, Unorm16::new(range.single))) {
             Some((range, Err(_))) => Err(format!("--range {range}: must lie in (1e-9, 1e9]")),
             _ => Ok(()),
         }
@@ -173,20 +179,21 @@ impl Options {
 
     /// The storage's range for a map whose slopes reach to `steepest`.
     pub(crate) fn range_for(&self, steepest: f32) -> Result<f32, String> {
-        match self.range {
-            Some(range) if range < steepest => Err(format!(
+        match &self.range {
+            Some(range) if range.single < steepest => Err(format!(
                 "--range {range}: the map's slopes reach {steepest}; --cap {range} shortens them"
             )),
-            Some(range) => Ok(range),
+            Some(range) => Ok(range.single),
             None => {
                 let powers = std::iter::successors(Some(LEAST_RANGE), |range| Some(2.0 * range));
-                Ok(powers.into_iter().find(|range| *range >= steepest).unwrap_or(steepest))
+                let power = powers.into_iter().find(|range| *range >= steepest);
+                Ok(power.unwrap_or(steepest).min(LARGEST_RANGE))
             }
         }
     }
 
     pub(crate) fn threads(&self) -> usize {
         let cores = || available_parallelism().map_or(1, NonZero::get);
-        self.threads.map_or_else(cores, usize::from)
+        self.threads.unwrap_or_else(cores)
     }
 }

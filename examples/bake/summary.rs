@@ -5,6 +5,7 @@ use super::looks::deviation;
 use super::options::Options;
 use super::print::print;
 use super::roughness::Roughness;
+use super::say::say;
 use lobe::SlopeMoments;
 use lobe::material::lean::{Border, Clipped};
 use serde_json::json;
@@ -89,8 +90,8 @@ impl Summary {
             },
             "coverage": options.coverage,
             "flip_y": options.flip_y,
-            "height": options.height,
-            "texel": options.texel,
+            "height": options.height.as_ref().map(|height| height.single),
+            "texel": options.texel.as_ref().map(|texel| texel.single),
             "size": self.size,
             "range": self.range,
             "steepest": self.steepest,
@@ -199,7 +200,7 @@ impl Summary {
     /// The warnings, on standard error.
     pub(crate) fn warn(&self, options: &Options) {
         for warning in &self.warnings {
-            eprintln!("bake: warning: {}: {warning}", options.input.display());
+            say(&format!("bake: warning: {}: {warning}", options.input.display()));
         }
     }
 }

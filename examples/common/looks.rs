@@ -6,9 +6,11 @@ use lobe::material::lean::{Clipped, MomentMap};
 /// The largest component of a slope that codes of 8 bits may make of 0: (128, 128, 255) is 1/255, and its z may be
 /// somewhat shorter.
 const NEUTRAL: f32 = 1.5 / 255.0;
-/// The slope of a neutral texel encoded as sRGB, (188, 188, 255), and how far a map's mean may be from it.
-const SRGB: f32 = (2.0 * 188.0 - 255.0) / 255.0;
-const SRGB_NEAR: f32 = 0.06;
+/// The slopes of a neutral texel encoded as sRGB, (188, 188, 255), and decoded as sRGB, (55, 55, 255), and how far a map's
+/// mean may be from them.
+const SRGB: f32 = -(2.0 * 188.0 - 255.0) / 255.0;
+const LINEAR: f32 = -(2.0 * 55.0 - 255.0) / 255.0;
+const BENT_NEAR: f32 = 0.06;
 /// The part of texels that may be clipped without a word.
 const CLIPPED: f64 = 0.01;
 /// The correlation of both derivatives below which y is taken to point the other way.
@@ -44,28 +46,39 @@ pub(crate) fn tilted(moments: &SlopeMoments<f32>) -> Option<String> {
     Some(if deviation == 0.0 {
         format!("every slope is ({x:.4}, {y:.4}): the map tilts the whole surface")
     } else {
+        let length = x.hypot(y);
         format!(
-            "the mean slope ({x:.4}, {y:.4}) is larger than the deviation {deviation:.4}: \
+            "the mean slope ({x:.4}, {y:.4}) of length {length:.4} is larger than the deviation {deviation:.4}: \
              the map tilts the whole surface"
         )
     })
 }
 
-/// What to add of a normal map whose mean slope is a neutral texel's in sRGB; `flipped` if its y was turned.
+/// What to add of a normal map whose mean slope is a neutral texel's that a colour curve has bent; `flipped` if its y was
+/// negated.
 pub(crate) fn encoded(moments: &SlopeMoments<f32>, flipped: bool) -> Option<&'static str> {
-    let ([x, y], down) = (moments.mean(), if flipped { SRGB } else { -SRGB });
-    let near = (x + SRGB).abs() <= SRGB_NEAR && (y - down).abs() <= SRGB_NEAR;
-    near.then_some(
-        ", as a neutral map does that was encoded as sRGB, (188, 188, 255): save it as linear data",
-    )
+    let [x, y] = moments.mean();
+    let y = if flipped { -y } else { y };
+    let near = |slope: f32| (x - slope).abs() <= BENT_NEAR && (y - slope).abs() <= BENT_NEAR;
+    if near(SRGB) {
+        Some(
+            ", as a neutral map does that was encoded as sRGB, (188, 188, 255): save it as linear data",
+        )
+    } else if near(LINEAR) {
+        Some(
+            ", as a neutral map does that was decoded as sRGB, (55, 55, 255): save it without colour management",
+        )
+    } else {
+        None
+    }
 }
 
-/// What is said of normals whose y points the other way, with `remedy` at its end; `flipped` if they were turned already.
+/// What is said of normals whose y points the other way, with `remedy` at its end; `flipped` if it was negated already.
 pub(crate) fn turned(map: &MomentMap<f32>, flipped: bool, remedy: &str) -> Option<String> {
     let pointed = if flipped { "up" } else { "down" };
     turned_round(map).then(|| {
         format!(
-            "green looks as if it pointed {pointed}: the slopes are a surface's with y turned ({remedy})"
+            "green looks as if it pointed {pointed}: the slopes are those of a surface with y negated ({remedy})"
         )
     })
 }

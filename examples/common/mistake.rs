@@ -1,5 +1,6 @@
 //! A mistake on the command line, in one line.
 
+use super::say::say;
 use clap::error::ErrorKind;
 use std::process::ExitCode;
 
@@ -14,6 +15,6 @@ pub(crate) fn told(program: &str, error: &clap::Error) -> ExitCode {
     let first: Vec<&str> =
         text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim).collect();
     let line = first.join(" ");
-    eprintln!("{program}: {}", line.strip_prefix("error: ").unwrap_or(&line));
+    say(&format!("{program}: {}", line.strip_prefix("error: ").unwrap_or(&line)));
     ExitCode::from(2)
 }

@@ -1,5 +1,6 @@
 //! What a program prints, and what it ends with.
 
+use super::say::say;
 use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
@@ -15,6 +16,6 @@ pub(crate) fn print(text: &str) -> Result<(), String> {
 
 /// Says why it failed, in one line after the program's name; the exit code, that of a signal if one stopped it.
 pub(crate) fn failed(program: &str, message: &str, stopped: bool) -> ExitCode {
-    eprintln!("{program}: {}", message.trim_end());
+    say(&format!("{program}: {message}"));
     ExitCode::from(if stopped { 130 } else { 2 })
 }

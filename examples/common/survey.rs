@@ -52,8 +52,11 @@ pub(crate) struct Survey {
     coloured: usize,
     /// Texels whose z points up.
     up: usize,
-    /// The sum of the differences between squared lengths and 1.
+    /// The sums of x and of y as they are read, of which the largest number is 1.
+    sums: [i64; 2],
+    /// The sum of the differences between squared lengths and 1, and texels in which it exceeds [`NO_UNIT_VECTORS`].
     off: f64,
+    far_off: usize,
     /// Whether alpha is coverage, by the user's word.
     covered: bool,
     /// Whether no colour is above its alpha, as in pictures premultiplied by it.
@@ -67,13 +70,17 @@ const COLOURED: usize = 1000;
 /// Mean difference between a squared length and 1 above which channels are no unit vectors. Mip levels and compressed
 /// maps stay far below.
 const NO_UNIT_VECTORS: f64 = 0.1;
-/// Mean difference above which a map is no normal map, if its blue and one of red and green are constant: codes of
-/// 8 bits are off by at most about 0.01 in such a map.
-const NO_CONSTANT_Z: f64 = 0.03;
+/// Mean difference above which channels are no unit vectors, if blue is constant: codes of 8 bits are off by 0.01 in such
+/// a map, by 0.016 where they were rounded down.
+const NO_CONSTANT_Z: f64 = 0.02;
 
-/// The least part of texels that a mask of islands leaves out, and the most that may lie on their borders.
+/// The least part of texels that a mask of islands leaves out.
 const MASKED: f64 = 0.01;
-const BORDERS: f64 = 0.1;
+/// The largest mean of x and of y, of 1, in channels that hold normals and not colours bent by a curve: those of (188, 188,
+/// 255) and (55, 55, 255) are 0.47 and -0.57.
+const TILTED: f64 = 0.3;
+/// The largest alpha of a texel by which a picture is taken for premultiplied: near 1 colours are below it by chance.
+const THIN: f64 = 0.85;
 
 impl Survey {
     /// A survey that has counted no texel yet.
@@ -91,7 +98,9 @@ impl Survey {
             colour: 0,
             coloured: 0,
             up: 0,
+            sums: [0; 2],
             off: 0.0,
+            far_off: 0,
             covered: false,
             below_alpha: true,
         }
@@ -123,6 +132,7 @@ impl Survey {
         // A picture without alpha is opaque.
         let alpha = self.has_alpha.then(|| place(ALPHA, texel));
         let nearly = (NEARLY_GREY * largest as f64) as i64;
+        let far = (NO_UNIT_VECTORS * (largest * largest) as f64) as i64;
         let (mut low, mut high) = (self.low, self.high);
         let mut off = 0_i64;
         for texel in bytes.chunks_exact(texel.bytes()) {
@@ -146,10 +156,13 @@ impl Survey {
             self.coloured += usize::from(colour > nearly);
             let signed = |k: usize| 2 * Into::<i64>::into(C::at(texel, k)) - largest;
             let [x, y, z] = places.map(signed);
+            self.sums = [self.sums[0] + x, self.sums[1] + y];
             let rest = largest * largest - x * x - y * y;
             if three {
                 self.up += usize::from(z > 0);
-                off += (rest - z * z).abs();
+                let difference = (rest - z * z).abs();
+                off += difference;
+                self.far_off += usize::from(difference > far);
             } else {
                 self.up += usize::from(rest > 0);
             }
@@ -172,7 +185,9 @@ impl Survey {
         self.colour = self.colour.max(other.colour);
         self.coloured += other.coloured;
         self.up += other.up;
+        self.sums = [0, 1].map(|k| self.sums[k] + other.sums[k]);
         self.off += other.off;
+        self.far_off += other.far_off;
         self.covered |= other.covered;
         self.below_alpha &= other.below_alpha;
     }
@@ -189,16 +204,16 @@ impl Survey {
 
     /// How many texels of alpha 0 count like all others, if any do.
     pub(crate) fn clear(&self) -> Option<String> {
-        let ignored = self.clear > 0 && !self.covered && !self.channels.use_alpha();
+        // An alpha of 0 everywhere masks nothing.
+        let ignored =
+            (1..self.texels).contains(&self.clear) && !self.covered && !self.channels.use_alpha();
         let percent = 100.0 * self.clear as f64 / self.texels as f64;
         ignored.then(|| format!("alpha is 0 in {percent:.1} % of all texels"))
     }
 
-    /// Whether alpha looks like a mask of islands: 0 in many texels and between 0 and 1 in few.
+    /// Whether alpha looks like a mask of islands: 0 in many texels, and between 0 and 1 in fewer.
     pub(crate) fn is_masked(&self) -> bool {
-        let [clear, partly] =
-            [self.clear, self.partly_clear].map(|n| n as f64 / self.texels as f64);
-        clear > MASKED && partly < BORDERS
+        self.clear as f64 > MASKED * self.texels as f64 && self.partly_clear < self.clear
     }
 
     /// Why the texels are no normals, if they are none; `heights` says who reads heights.
@@ -216,7 +231,8 @@ impl Survey {
                 "looks like a height (bump) map, not a normal map: red, green and blue are {equal} {texels}{heights}"
             );
             if self.varies(ALPHA) {
-                line += "; --channels ag reads x from alpha and y from green";
+                line +=
+                    "; --channels ag reads x from alpha and y from green, ga the other way round";
             }
             return Some(line);
         }
@@ -230,7 +246,8 @@ impl Survey {
     /// What else the texels look like: for the user to decide.
     pub(crate) fn hints(&self) -> Vec<String> {
         let mut hints: Vec<_> = self.layout().map(str::to_owned).into_iter().collect();
-        let straight = !self.below_alpha || self.partly_clear == 0 || self.channels.use_alpha();
+        let thin = self.partly_clear > 0 && self.low[ALPHA] as f64 <= THIN * self.largest as f64;
+        let straight = !self.below_alpha || !thin || self.channels.use_alpha();
         if hints.is_empty() && self.has_alpha && !straight {
             hints.push(
                 "looks premultiplied by alpha (no colour is above its alpha), which bends normals: \
@@ -251,6 +268,9 @@ impl Survey {
         const RG: &str = "looks like x in red and y in green (BC5): --channels rg reads it so";
         const ANY: &str = "looks like two channels without z: --channels rg reads x and y from red and green, \
                            ag from alpha and green";
+        const PACKED: &str = "has red, green and blue that are no unit vectors: if blue is not z, --channels rg reads x and y alone";
+        const PACKED_WITH_ALPHA: &str = "has red, green and blue that are no unit vectors: if blue is not z, --channels rg reads x \
+                                         and y from red and green, ag from alpha and green";
         let [r, g, b, a] = [0, 1, 2, ALPHA].map(|role| self.varies(role));
         let a = a && !self.covered;
         if self.channels != Channels::RGB {
@@ -272,8 +292,17 @@ impl Survey {
         let down = 2 * self.high[2] <= self.largest;
         let off = down || mean > NO_UNIT_VECTORS;
         let slightly_off = off || !b && mean > NO_CONSTANT_Z;
+        // Colours that a curve has bent are no unit vectors either, and have other remedies.
+        let bent = self.sums.iter().any(|&sum| {
+            sum.unsigned_abs() as f64 > TILTED * (self.largest as f64) * self.counted as f64
+        });
+        // Texels outside of islands hold anything.
+        let masked = self.is_masked() && !self.covered;
         match (r, g, b, a) {
-            (true, true, false, _) if off => Some(if a { ANY } else { RG }),
+            (true, true, false, _) if slightly_off && !bent => Some(if a { ANY } else { RG }),
+            (true, true, true, _) if 2 * self.far_off > self.counted && !bent && !masked => {
+                Some(if a { PACKED_WITH_ALPHA } else { PACKED })
+            }
             (false, true, _, true) if slightly_off => Some(AG),
             (true, false, _, true) if slightly_off => Some(RA),
             _ => None,

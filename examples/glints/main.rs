@@ -18,6 +18,8 @@ mod print;
 #[path = "../common/progress.rs"]
 mod progress;
 mod render;
+#[path = "../common/say.rs"]
+mod say;
 mod scene;
 mod surface;
 mod zoom;

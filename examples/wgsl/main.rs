@@ -10,6 +10,8 @@ mod mistake;
 mod output;
 #[path = "../common/print.rs"]
 mod print;
+#[path = "../common/say.rs"]
+mod say;
 mod translate;
 
 use clap::Parser;
@@ -55,13 +57,16 @@ fn asked(options: &Options) -> Result<Vec<Item>, String> {
     match (&options.items, &options.preset) {
         (Some(names), None) => names
             .split(',')
-            .map(|name| Item::from_name(name.trim()).map_err(|error| error.to_string()))
+            .map(|name| match name.trim() {
+                "" => Err(format!("--items {names}: a name is empty")),
+                name => Item::from_name(name).map_err(|error| format!("--items: {error}")),
+            })
             .collect(),
         (None, Some(name)) => Preset::ALL
             .iter()
             .find(|preset| preset.name() == name)
             .map(|preset| preset.items().to_vec())
-            .ok_or_else(|| format!("no preset is named `{name}`")),
+            .ok_or_else(|| format!("--preset: no preset is named `{name}`")),
         (Some(_), Some(_)) => Err("--items and --preset exclude each other".to_owned()),
         (None, None) => Err("give --items, --preset or --list".to_owned()),
     }
@@ -86,7 +91,7 @@ fn output(options: &Options) -> Result<Output, String> {
         "naga-oil" => linked(Linker::NagaOil),
         name => match Language::ALL.iter().find(|language| language.name() == name) {
             Some(language) => translated(&items, *language),
-            None => Err(format!("no language is named `{name}`: --help lists them")),
+            None => Err(format!("--lang: no language is named `{name}`; --help lists them")),
         },
     }
 }

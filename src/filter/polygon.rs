@@ -68,8 +68,8 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     /// $\frac{1}{2\pi} \sum \frac{d}{\sqrt q} \mathrm{atan2}(\ell \sqrt q, q + t_0 t_1)$, $d$ the signed
     /// distance of the edge's line, $q = 1 + d^2$. A zero footprint gives $P_{22}$ itself, a segment the
     /// mean along it. Error, relative: f32 below 1e-5 within ten alphas of the lobe (1.2e-5 in one of
-    /// ten million random footprints) and 1e-3 anywhere; f64 below 1e-9. Components beyond $10^9$ shrink the
-    /// footprint to that, in proportion. Divide by $h_z^4$ for the filtered D ([`Ndf::brdf_over`] does).
+    /// ten million random footprints) and 1e-3 wherever the mean is a normal number; f64 below 1e-9. Components
+    /// beyond $10^9$ shrink the footprint to that, in proportion. Divide by $h_z^4$ for the filtered D ([`Ndf::brdf_over`] does).
     ///
     /// A mirror's mean is one over the footprint's area if the footprint holds the lobe's mean slope, half of that if
     /// the mean slope lies on a side, a quarter if it is a corner, and 0 outside. A groove's, of a lobe that is a mirror

@@ -317,7 +317,7 @@ fn mistakes_are_one_line_that_names_them() {
     let folder = folder("mistakes");
     let (input, out) = (folder.join("normal.png"), folder.join("moments"));
     fs::write(&input, rgb(&texels())).expect("a file");
-    let cases: [(&[&str], &str); 32] = [
+    let cases: [(&[&str], &str); 37] = [
         (&["--cap", "0"], "--cap"),
         (&["--cap", "-1"], "--cap"),
         (&["--cap", "NaN"], "--cap"),
@@ -340,10 +340,16 @@ fn mistakes_are_one_line_that_names_them() {
         (&["--coverage", "--height", "1", "--texel", "1"], "--height"),
         (&["--roughness", "1.01"], "--roughness 1.01: must lie in [0, 1]"),
         (&["--roughness", "-0.1"], "--roughness -0.1: must lie in [0, 1]"),
-        (&["--roughness", "NaN"], "--roughness NaN: must lie in [0, 1]"),
+        (&["--roughness", "NaN"], "'NaN' for '--roughness <BASE>': not a finite number"),
+        (&["--roughness", "x"], "'x' for '--roughness <BASE>': not a number"),
+        // Numbers are repeated as they were written.
+        (&["--cap", "1e-46"], "--cap 1e-46: "),
+        (&["--cap", "1.0000001e9"], "--cap 1.0000001e9: "),
+        (&["--height", "1", "--texel", "1e30"], "--texel 1e30: "),
         (&["--roughness-as", "alpha"], "--roughness"),
         (&["--roughness", "0.5", "--roughness-bits", "12"], "--roughness-bits"),
-        (&["--threads", "0"], "--threads"),
+        (&["--threads", "0"], "'0' for '--threads <COUNT>': must be a whole number from 1 to 1024"),
+        (&["--threads", "1.5"], "must be a whole number from 1 to 1024"),
         (&["--height", "1"], "--texel"),
         (&["--texel", "1"], "--height"),
         (&["--height", "inf", "--texel", "1"], "--height"),
@@ -396,6 +402,45 @@ fn what_cannot_be_written_leaves_nothing() {
     let after: Vec<_> = names(&out).iter().map(|name| fs::read(out.join(name)).ok()).collect();
     let others = before.iter().filter(|file| !after.contains(file)).count();
     assert_eq!((after.len() + 1, others), (before.len(), 1));
+}
+
+/// A name that has a line break in it is told of in one line.
+#[cfg(unix)]
+#[test]
+fn names_of_files_are_escaped() {
+    let folder = folder("names");
+    let out = folder.join("moments");
+    complains(&bake(&folder.join("a\nb\u{1b}.png"), &out, &[]), &["a\\nb\\u{1b}.png: "]);
+}
+
+/// Warnings and mistakes that cannot be written change no file and no exit code.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_standard_error_changes_nothing() {
+    let full = || fs::OpenOptions::new().write(true).open("/dev/full").expect("a device");
+    let folder = folder("said");
+    let (input, out) = (folder.join("normal.png"), folder.join("moments"));
+    fs::write(&input, rgb(&[[118, 118, 255]; 15])).expect("a file");
+    for (option, code) in [("--flip-y", 0), ("--cap=0", 2), ("--none", 2)] {
+        let mut command = Command::new(example());
+        command.arg(&input).arg("--out").arg(&out).arg(option).stderr(full());
+        assert_eq!(command.output().expect("the example runs").status.code(), Some(code));
+    }
+    assert_eq!(described(&out)["warnings"].as_array().map(Vec::len), Some(1));
+}
+
+/// The largest cap: no power of two above it is a range.
+#[test]
+fn the_largest_cap_has_a_range() {
+    let folder = folder("largest");
+    let (input, out) = (folder.join("normal.png"), folder.join("moments"));
+    let mut texels = [[128, 128, 255]; 15];
+    texels[3] = [255, 128, 0];
+    fs::write(&input, rgb(&texels)).expect("a file");
+    for cap in ["6e8", "1e9"] {
+        baked(&input, &out, &["--cap", cap]);
+        assert_eq!(described(&out)["range"], 1e9, "--cap {cap}");
+    }
 }
 
 #[cfg(target_os = "linux")]

@@ -370,9 +370,21 @@ fn rows_that_single_precision_cannot_take_are_counted() {
         "{}",
         text(&output.stdout)
     );
-    // Of such rows alone f32 says nothing, and nothing is no success.
+    // Of such rows alone f32 says nothing, and nothing is no success; f64 and other tables are judged all the same.
     fs::write(&file, format!("{header}\n{far}\n")).unwrap();
-    assert_refused(&folder, &[file.to_str().unwrap(), "no row", "f32"]);
+    fs::write(folder.join("chermain_m.csv"), golden("chermain_m")).unwrap();
+    let output = validate(&[folder.to_str().unwrap()]);
+    assert_eq!((output.status.code(), text(&output.stderr)), (Some(1), ""));
+    let said = text(&output.stdout);
+    assert!(
+        said.contains("over budget: beckmann_p22 f32: no row by which f32 can be judged"),
+        "{said}"
+    );
+    assert_eq!(said.matches("over budget:").count(), 1, "{said}");
+    assert!(
+        said.lines().any(|line| line.starts_with("chermain_m") && line.contains("f64")),
+        "{said}"
+    );
 }
 
 #[test]
@@ -404,6 +416,34 @@ fn rows_whose_move_says_nothing_are_left_out_of_single_precision() {
         assert_eq!(value[0]["rows"], 1, "{value}");
         assert!(value[0]["max_rel"].as_f64().unwrap() < 1e-5, "{value}");
         assert_eq!(value[1]["rows"], 2, "{value}");
+    }
+}
+
+/// As macOS and Emacs leave them beside a table.
+#[test]
+fn hidden_tables_are_none() {
+    let folder = folder("hidden");
+    fs::write(folder.join("chermain_m.csv"), golden("chermain_m")).unwrap();
+    for name in ["._chermain_m.csv", ".#chermain_m.csv", ".csv"] {
+        fs::write(folder.join(name), "\0\u{5}").unwrap();
+    }
+    let output = validate(&[folder.to_str().unwrap()]);
+    assert_eq!((output.status.code(), text(&output.stderr)), (Some(0), ""));
+}
+
+/// A line of standard error that cannot be written changes no result and no exit code.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_standard_error_changes_nothing() {
+    let full = || fs::OpenOptions::new().write(true).open("/dev/full").expect("a device");
+    let folder = folder("said");
+    fs::write(folder.join("chermain_m.csv"), golden("chermain_m")).unwrap();
+    fs::write(folder.join("notes.txt"), "").unwrap();
+    for (argument, code) in [(folder.to_str().unwrap(), 0), ("no such folder", 2), ("--none", 2)] {
+        let mut command = Command::new(example());
+        let status =
+            command.arg(argument).stderr(full()).output().expect("the example runs").status;
+        assert_eq!(status.code(), Some(code), "{argument}");
     }
 }
 

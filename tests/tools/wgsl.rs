@@ -146,9 +146,10 @@ fn linkers_get_the_files_that_they_need_and_no_other() {
 
 #[test]
 fn mistakes_are_one_line_that_names_them() {
-    let cases: [(&[&str], &str); 14] = [
+    let cases: [(&[&str], &str); 15] = [
         (&["--items", "ggx_d,ggx_e"], "`ggx_e`"),
-        (&["--items", ""], "``"),
+        (&["--items", ""], "--items : a name is empty"),
+        (&["--items", "ggx_d,"], "--items ggx_d,: a name is empty"),
         (&["--preset", "plane"], "`plane`"),
         (&["--items", "ggx_d", "--lang", "cg"], "`cg`"),
         (&["--items", "ggx_d", "--preset", "plain"], "exclude"),

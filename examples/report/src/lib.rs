@@ -37,6 +37,8 @@ mod program;
 mod reference;
 mod relief;
 mod render;
+#[path = "../../common/say.rs"]
+mod say;
 mod scalar;
 mod scene;
 mod sequence;

@@ -32,6 +32,9 @@ impl Output {
         let refused = |error: &dyn std::fmt::Display| {
             Mistake(format!("--out '{}': cannot be written to ({error})", folder.display()))
         };
+        if folder.exists() && !folder.is_dir() {
+            return Err(Mistake(format!("--out '{}': is no folder", folder.display())));
+        }
         fs::create_dir_all(folder).map_err(|error| refused(&error))?;
         for name in [PAGE, COVER, DATA, ADVICE] {
             if folder.join(name).is_dir() {

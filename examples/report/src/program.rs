@@ -20,6 +20,7 @@ use crate::output::{self, Output};
 use crate::page::{self, Report};
 use crate::picture;
 use crate::relief::{self, Relief};
+use crate::say::say;
 use crate::scene::{Movement, NormalMap, Subject, carried_maps, restless_map};
 use crate::sequence::{Plan, Sequence};
 use crate::sizes::Sizes;
@@ -31,7 +32,7 @@ pub fn run() -> ExitCode {
     match Options::parse_or_explain().and_then(|options| options.map_or(Ok(()), |o| report(&o))) {
         Ok(()) => ExitCode::SUCCESS,
         Err(mistake) => {
-            eprintln!("error: {mistake}");
+            say(&format!("error: {mistake}"));
             ExitCode::from(2)
         }
     }
@@ -186,7 +187,7 @@ fn normal_map(path: &Path, channels: Channels) -> Result<NormalMap, Mistake> {
     for hint in
         hints.into_iter().chain(looks_of(&texture).map_err(|error| mistake(error.to_string()))?)
     {
-        eprintln!("warning: {}", named(&hint));
+        say(&format!("warning: {}", named(&hint)));
     }
     let name = path.file_stem().map_or("normal map".into(), |stem| stem.to_string_lossy());
     Ok(NormalMap { name: name.into_owned(), texture: Arc::new(texture) })
@@ -198,6 +199,6 @@ fn looks_of(texture: &Texture) -> Result<Vec<String>, lobe::Error> {
     let (whole, cap) = (looks::whole(&map), format!("a slope of {STEEPEST}"));
     let encoded = looks::encoded(&whole, false).unwrap_or_default();
     let tilted = looks::tilted(&whole).map(|line| line + encoded);
-    let turned = looks::turned(&map, false, "turn its green round");
+    let turned = looks::turned(&map, false, "invert its green channel");
     Ok(looks::clipped(clipped, &cap).into_iter().chain(tilted).chain(turned).collect())
 }

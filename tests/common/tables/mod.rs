@@ -56,11 +56,10 @@ pub(crate) fn evaluate<R: Real>(table: &Table, quantity: &Quantity) -> Result<Ou
             _ => rounded.refused += 1,
         }
     }
-    let no_rows = || match rounded.refused {
-        0 => format!("{}: no rows below the header", table.path.display()),
-        _ => format!("{}: no row by which f32 can be judged", table.path.display()),
-    };
-    Outcome::of(&deviations, rounded).ok_or_else(no_rows)
+    if table.rows.is_empty() {
+        return Err(format!("{}: no rows below the header", table.path.display()));
+    }
+    Ok(Outcome::of(&deviations, rounded))
 }
 
 /// Whether moved values are within the range of `R`, and the roundings of the move below 1e-9 of the largest.

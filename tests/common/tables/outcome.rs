@@ -43,7 +43,7 @@ pub(crate) struct Outcome {
     pub(crate) p99_rel: f64,
     /// Largest error in units of the last place of the expected value.
     pub(crate) max_ulp: f64,
-    /// The row of the largest relative error, counted from 1 below the header.
+    /// The row of the largest relative error, counted from 1 below the header; 0 of no row.
     pub(crate) worst_row: usize,
     /// Rows with a NaN or infinite result, or a negative one of a quantity that cannot be negative.
     pub(crate) bad: usize,
@@ -71,21 +71,22 @@ impl Rounded {
 }
 
 impl Outcome {
-    /// Over rows of a table with their indices, in their order; `None` if there are none.
-    pub(crate) fn of(deviations: &[(usize, Deviation)], rounded: Rounded) -> Option<Self> {
+    /// Over rows of a table with their indices, in their order. Without a row all numbers are 0.
+    pub(crate) fn of(deviations: &[(usize, Deviation)], rounded: Rounded) -> Self {
         let mut errors: Vec<f64> = deviations.iter().map(|(_, row)| row.relative).collect();
-        let worst = (0..errors.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b]))?;
+        let worst = (0..errors.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b]));
         errors.sort_by(f64::total_cmp);
         let rows = errors.len();
-        Some(Self {
+        let error = |rank: usize| errors.get(rank.saturating_sub(1)).copied().unwrap_or_default();
+        Self {
             rows,
-            max_rel: errors[rows - 1],
-            p99_rel: errors[(rows * 99).div_ceil(100) - 1],
+            max_rel: error(rows),
+            p99_rel: error((rows * 99).div_ceil(100)),
             max_ulp: deviations.iter().fold(0.0, |largest, (_, row)| row.ulp.max(largest)),
-            worst_row: deviations[worst].0 + 1,
+            worst_row: worst.map_or(0, |worst| deviations[worst].0 + 1),
             bad: deviations.iter().filter(|(_, row)| row.bad).count(),
             rounded,
-        })
+        }
     }
 }
 

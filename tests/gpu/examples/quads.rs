@@ -10,6 +10,8 @@
 #[path = "../tests/render/drawn.rs"]
 #[allow(dead_code, reason = "shared with the test, which draws more")]
 mod drawn;
+#[path = "../../../examples/common/say.rs"]
+mod say;
 
 use std::fs;
 use std::io::{IsTerminal, Write};
@@ -20,6 +22,7 @@ use clap::Parser;
 use drawn::{DIFFERENCE, MATRIX, QUAD, SHADED, Spread, Stage, sides};
 use lobe_gpu::Gpu;
 use lobe_report::shot::{Shot, non_overlap};
+use say::say;
 
 /// Draw two scenes of the report on the GPU, and how far footprints by quads are from Kaplanyan's matrix.
 #[derive(Parser)]
@@ -44,7 +47,7 @@ fn main() -> ExitCode {
     match run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
-            eprintln!("quads: {}", message.lines().next().unwrap_or_default());
+            say(&format!("quads: {}", message.lines().next().unwrap_or_default()));
             ExitCode::from(2)
         }
     }

@@ -138,6 +138,18 @@ fn clipping_is_told_with_what_may_have_caused_it() {
         let (_, warnings) = warned(&input, &out, &[]);
         assert!(warnings.iter().all(|line| !line.contains("alpha is 0")), "{warnings:?}");
     }
+    // A soft border of as many texels as an eighth of the map; an alpha that is 0 everywhere masks nothing.
+    let soft = |k: u32| {
+        [120 + (k % 16) as u8, 128, 254, [0, 0, 90, 255, 255, 255, 255, 255][k as usize % 8]]
+    };
+    let clear = |k: u32| [120 + (k % 16) as u8, 128, 254, 0];
+    for (texel, lines) in [(&soft as &dyn Fn(u32) -> [u8; 4], 1), (&clear, 0)] {
+        let texels: Vec<u8> = (0..96).flat_map(texel).collect();
+        fs::write(&input, picture([12, 8], ColorType::Rgba, BitDepth::Eight, &texels))
+            .expect("a file");
+        let (_, warnings) = warned(&input, &out, &[]);
+        assert_eq!(warnings.len(), lines, "{warnings:?}");
+    }
     // A map that is refused with alpha read as x: alpha is no coverage then.
     let steep: Vec<u8> = (0..96_u8).flat_map(|k| [k, 128, 9, k / 90 * 255]).collect();
     fs::write(&input, picture([12, 8], ColorType::Rgba, BitDepth::Eight, &steep)).expect("a file");

@@ -132,13 +132,18 @@ fn layouts_of_two_channels_are_pointed_out() {
             .expect("a file");
     };
     // Read as RGB, these are maps of something, and a line says of what.
-    let hinted: [Layout; 6] = [
+    let gentle = |v: u8| (64 + v / 2, 96 + v / 4);
+    let hinted: [Layout; 9] = [
         (&|[x, y, _]| [255, y, 255, x], "--channels ag"),
         (&|[x, y, _]| [128, y, 255, x], "--channels ag"),
         (&|[x, y, z]| [0, y, z, x], "--channels ag"),
         (&|[x, y, _]| [y, 255, 255, x], "--channels ra or ar"),
         (&|[x, y, _]| [x, y, 255, 255], "--channels rg"),
         (&|[x, y, _]| [x, y, 255, x ^ y], "--channels rg"),
+        // Flatter ones; something else in blue.
+        (&|[x, y, _]| [gentle(x).0, gentle(y).0, 255, 255], "--channels rg"),
+        (&|[x, y, _]| [x, y, 180 + x % 32, 255], "if blue is not z, --channels rg"),
+        (&|[x, y, _]| [x, y, 180 + x % 32, y], "ag from alpha and green"),
     ];
     for (texel, said) in hinted {
         write(texel);
@@ -196,6 +201,12 @@ fn alpha_that_colours_were_multiplied_by_is_pointed_out() {
     fs::write(&input, picture([16; 2], ColorType::Rgba, BitDepth::Eight, &data)).expect("a file");
     let (_, warnings) = warned(&input, &out, &[]);
     assert!(warnings[0].contains("premultiplied"), "{warnings:?}");
+    // A roof whose colours lie below an alpha that is hardly less than 1.
+    let roof = (0..256_usize)
+        .flat_map(|k| [if k / 4 % 2 == 0 { 37 } else { 218 }, 128, 218, 225 + (k * k % 31) as u8]);
+    let roof: Vec<u8> = roof.collect();
+    fs::write(&input, picture([16; 2], ColorType::Rgba, BitDepth::Eight, &roof)).expect("a file");
+    assert_eq!(warned(&input, &out, &[]).1, [""; 0]);
 }
 
 #[test]
@@ -210,13 +221,20 @@ fn a_flat_colour_that_is_not_flat_is_pointed_out() {
         ([118, 118, 255], 19.0 / 255.0, false),
         ([188, 188, 255], -121.0 / 255.0, true),
         ([187, 187, 255], -119.0 / 255.0, true),
+        ([55, 55, 255], 145.0 / 255.0, false),
         ([130, 130, 255], -5.0 / 255.0, false),
     ] {
         for side in [64, 1] {
             flat(texel, side);
             let (said, warnings) = warned(&input, &out, &[]);
             assert!(warnings.len() == 1 && warnings[0].contains("every slope is"), "{warnings:?}");
-            assert_eq!(warnings[0].contains("sRGB, (188, 188, 255)"), srgb, "{warnings:?}");
+            assert_eq!(
+                warnings[0].contains("encoded as sRGB, (188, 188, 255)"),
+                srgb,
+                "{warnings:?}"
+            );
+            let decoded = warnings[0].contains("decoded as sRGB, (55, 55, 255)");
+            assert_eq!(decoded, texel == [55, 55, 255], "{warnings:?}");
             assert!(said.contains("mean slope"), "{said}");
             let description = described(&out);
             for axis in 0..2 {
@@ -239,7 +257,11 @@ fn a_flat_colour_that_is_not_flat_is_pointed_out() {
     let tilted: Vec<[u8; 3]> = (0..15).map(|k| [110 + k % 5 * 4, 100, 255]).collect();
     fs::write(&input, rgb(&tilted)).expect("a file");
     let (_, warnings) = warned(&input, &out, &[]);
-    assert!(warnings[0].contains("is larger than the deviation"), "{warnings:?}");
+    let [x, y] = described(&out)["mean_slope"]
+        .as_array()
+        .map_or([0.0; 2], |mean| [0, 1].map(|axis| mean[axis].as_f64().expect("a number")));
+    let tilted_by = format!("of length {:.4} is larger than the deviation", x.hypot(y));
+    assert!(warnings[0].contains(&tilted_by), "{warnings:?}");
     // The mean and deviation of its slopes.
     let slopes = tilted.iter().map(|&[x, _, _]| (255.0 - 2.0 * f64::from(x)) / 255.0);
     let mean = slopes.clone().sum::<f64>() / 15.0;
@@ -259,7 +281,18 @@ fn a_flat_colour_that_is_not_flat_is_pointed_out() {
     fs::write(&input, picture([32; 2], ColorType::Rgb, BitDepth::Eight, gentle.as_flattened()))
         .expect("a file");
     let (_, warnings) = warned(&input, &out, &[]);
-    assert!(warnings.iter().any(|line| line.contains("sRGB")), "{warnings:?}");
+    assert!(warnings.len() == 1 && warnings[0].contains("encoded as sRGB"), "{warnings:?}");
+    // The other way round.
+    let decoded = |v: u8| {
+        let v = f64::from(v) / 255.0;
+        nearest(255.0 * if v > 0.040_45 { ((v + 0.055) / 1.055).powf(2.4) } else { v / 12.92 })
+    };
+    let gentle = bumps(32).into_iter().map(|[x, y, _]| [96 + x / 4, 96 + y / 4, 250].map(decoded));
+    let gentle: Vec<_> = gentle.collect();
+    fs::write(&input, picture([32; 2], ColorType::Rgb, BitDepth::Eight, gentle.as_flattened()))
+        .expect("a file");
+    let (_, warnings) = warned(&input, &out, &[]);
+    assert!(warnings.len() == 1 && warnings[0].contains("decoded as sRGB"), "{warnings:?}");
 }
 
 #[test]

@@ -30,7 +30,7 @@ pub(crate) const SIZE: [u32; 2] = [5, 3];
 pub(crate) fn texels() -> Vec<[u8; 3]> {
     let number = |k: u32, factor: u32| 96 + (k * factor % 64) as u8;
     let mut texels: Vec<_> = (0..SIZE[0] * SIZE[1])
-        .map(|k| [number(k, 37), number(k, 23), 160 + (6 * k) as u8])
+        .map(|k| [number(k, 37), number(k, 23), 246 + (5 * k % 9) as u8])
         .collect();
     texels[7] = [200, 90, 100];
     texels

@@ -3,6 +3,8 @@
 //! `cargo run --release -p lobe-gpu --example cost`, `-- --help` for the rest.
 
 mod method;
+#[path = "../../../../examples/common/say.rs"]
+mod say;
 
 use std::process::{Command, ExitCode};
 
@@ -12,6 +14,7 @@ use lobe_gpu::{Gpu, Job, Kernel, Mode, Painter, needed, timing};
 use lobe_report::shot::Shot;
 use lobe_report::spirv::{assembled, instructions};
 use method::{FLOATS, METHODS, Method};
+use say::say;
 
 /// Costs of filtered shading against unfiltered, of every method of the mirror.
 #[derive(Parser)]
@@ -42,7 +45,7 @@ const THREADS: &str = "LP_NUM_THREADS";
 fn main() -> ExitCode {
     let options = Options::parse();
     if !(options.alpha > 0.0 && options.alpha <= 1.0) {
-        eprintln!("error: --alpha must lie in (0, 1]");
+        say(&format!("error: --alpha {}: must lie in (0, 1]", options.alpha));
         return ExitCode::from(2);
     }
     if options.functions {
@@ -62,7 +65,7 @@ fn concluded(result: Result<(), String>) -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
-            eprintln!("error: {message}");
+            say(&format!("error: {message}"));
             ExitCode::from(2)
         }
     }
