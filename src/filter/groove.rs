@@ -88,10 +88,10 @@ pub(super) fn seen<S: Shape>(
 ) -> Covered<S::Scalar> {
     let zero = S::Scalar::ZERO;
     let (_, alpha) = shape.major();
-    let groove = covered(shape, offset, footprint);
     if alpha * alpha < S::Scalar::lit(BRUSHED) * shape.root_det() {
         return Covered { mean, place: [zero; 2] };
     }
+    let groove = covered(shape, offset, footprint);
     Covered { mean: if groove.mean > zero { mean } else { zero }, ..groove }
 }
 
