@@ -21,7 +21,7 @@ pub trait Distribution: sealed::Sealed + Copy {
     ///
     /// The density is homogeneous of degree 0 in form (2), z (1) and length, so that a half vector need not
     /// be normalised. The weight is a factor within: a density below the range of f32 times a visibility
-    /// above 1 need not be. 0 of a mirror, whose `root_det` is 0.
+    /// above 1 need not be. Of a mirror, whose `root_det` is 0, it is 0 or NaN: callers drop NaN.
     ///
     /// WGSL: `lobe_ggx_density`, `lobe_beckmann_density`.
     fn density<R: Real>(form: R, root_det: R, z: R, length_squared: R, weight: R) -> R;
@@ -143,12 +143,12 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
     pub fn brdf(&self, wo: impl Into<[S::Scalar; 3]>, wi: impl Into<[S::Scalar; 3]>) -> S::Scalar {
         let (wo, wi) = (wo.into(), wi.into());
         let (c_o, c_i, sum) = self.visibility_terms(wo, wi);
-        let weight = S::Scalar::HALF * inverse_pi::<S::Scalar>() / sum.max(S::Scalar::MIN_POSITIVE);
+        let weight = S::Scalar::HALF * inverse_pi::<S::Scalar>() / sum;
         let (brdf, z) = self.half_density(wo, wi, weight);
         let lowest = c_o.min(c_i);
         // Directions above the surface have a half vector above it; above a tilted plane, not always.
         let lowest = if S::CENTRED { lowest } else { lowest.min(z) };
-        // A limit of 0 instead of a branch: loops over samples stay free of jumps.
+        // A limit of 0 instead of a branch: loops over samples stay free of jumps. `max` drops the NaN of a mirror's 0/0.
         let limit = if lowest > S::Scalar::ZERO { S::Scalar::MAX } else { S::Scalar::ZERO };
         brdf.max(S::Scalar::ZERO).min(limit)
     }
@@ -194,7 +194,7 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
         let (wo, wi) = (wo.into(), wi.into());
         let quarter = S::Scalar::HALF * S::Scalar::HALF;
         let area = self.projected_area(wo);
-        let weight = quarter * inverse_pi::<S::Scalar>() / area.max(S::Scalar::MIN_POSITIVE);
+        let weight = quarter * inverse_pi::<S::Scalar>() / area;
         let (value, z) = self.half_density(wo, wi, weight);
         let limit = if area.min(z) > S::Scalar::ZERO { S::Scalar::MAX } else { S::Scalar::ZERO };
         value.max(S::Scalar::ZERO).min(limit)

@@ -16,8 +16,7 @@ impl Distribution for GgxDistribution {
     #[inline(always)]
     fn density<R: Real>(form: R, root_det: R, z: R, length_squared: R, weight: R) -> R {
         let ratio = length_squared / (root_det * (z * z) + form);
-        let density = (root_det * ratio) * ratio * weight;
-        if root_det > R::ZERO { density } else { R::ZERO }
+        (root_det * ratio) * ratio * weight
     }
 
     /// $\sigma = (c + \sqrt{c^2 + a^2})/2$, so the excess is

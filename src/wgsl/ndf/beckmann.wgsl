@@ -42,7 +42,7 @@ fn lobe_beckmann_brdf(at: LobePair) -> f32 {
 // Rust: `Ndf::unshadowed`, of a shape's answers at a pair of directions. 0 for NaN.
 fn lobe_beckmann_unshadowed(at: LobePair) -> f32 {
     let area = lobe_beckmann_projected_area(at.wo);
-    let weight = 0.25 * LOBE_INVERSE_PI / lobe_max(area, LOBE_MIN_POSITIVE);
+    let weight = 0.25 * LOBE_INVERSE_PI / area;
     return lobe_unshadowed_at(lobe_beckmann_density(at.form, at.root_det, at.z, at.length_squared, weight), area, at);
 }
 

@@ -3,7 +3,7 @@
 // Rust: `GgxDistribution::density`. 0 for NaN.
 fn lobe_ggx_density(form: f32, root_det: f32, z: f32, length_squared: f32, weight: f32) -> f32 {
     let ratio = length_squared / (root_det * (z * z) + form);
-    return select(0.0, lobe_defined((root_det * ratio) * ratio * weight), root_det > 0.0);
+    return lobe_defined((root_det * ratio) * ratio * weight);
 }
 
 // Rust: `GgxDistribution::excess`. 0 for NaN.
@@ -35,7 +35,7 @@ fn lobe_ggx_brdf(at: LobePair) -> f32 {
 // Rust: `Ndf::unshadowed`, of a shape's answers at a pair of directions. 0 for NaN.
 fn lobe_ggx_unshadowed(at: LobePair) -> f32 {
     let area = lobe_ggx_projected_area(at.wo);
-    let weight = 0.25 * LOBE_INVERSE_PI / lobe_max(area, LOBE_MIN_POSITIVE);
+    let weight = 0.25 * LOBE_INVERSE_PI / area;
     return lobe_unshadowed_at(lobe_ggx_density(at.form, at.root_det, at.z, at.length_squared, weight), area, at);
 }
 

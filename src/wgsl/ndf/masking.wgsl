@@ -33,5 +33,5 @@ fn lobe_visibility_of(wo: LobeView, wi: LobeView, sum: f32) -> f32 {
 
 // WGSL only: what `Ndf::brdf` multiplies the density by, of the sum.
 fn lobe_brdf_weight(sum: f32) -> f32 {
-    return 0.5 * LOBE_INVERSE_PI / lobe_max(sum, LOBE_MIN_POSITIVE);
+    return 0.5 * LOBE_INVERSE_PI / sum;
 }
