@@ -100,10 +100,17 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
     ) -> S::Scalar {
         let footprint = &footprint.bounded();
         let offset = self.offset_of(slope.into(), [S::Scalar::ZERO; 2]);
-        self.mean_of(&Whitened::new(self.shape(), offset.0, offset.1, footprint), offset, footprint)
+        let whitened = Whitened::new(self.shape(), offset.0, offset.1, footprint);
+        let side2 = whitened.longer_side_squared();
+        if groove::may_be_unresolved(self.shape().root_det(), side2) {
+            if let Some(covered) = groove::unresolved(self.shape(), side2, offset, footprint) {
+                return covered.mean;
+            }
+        }
+        self.mean_of(&whitened, offset, footprint)
     }
 
-    /// The mean over a whitened footprint, `offset` its centre less the lobe's, as an unevaluated sum.
+    /// The mean over a whitened footprint that resolves the lobe, `offset` its centre less the lobe's, as an unevaluated sum.
     fn mean_of(
         &self,
         whitened: &Whitened<S::Scalar>,
@@ -113,12 +120,6 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         let shape = self.shape();
         let root_det = shape.root_det();
         let (centre2, side2) = (whitened.centre_squared(), whitened.longer_side_squared());
-        if groove::may_be_unresolved(root_det, side2) {
-            let covered = groove::unresolved(shape, side2, (offset, low), footprint);
-            if let Some(covered) = covered {
-                return covered.mean;
-            }
-        }
         // The distance to the footprint is at least two thirds of that to its centre, or does not matter.
         let nearness = S::Scalar::ONE + S::Scalar::lit(4.0 / 9.0) * centre2;
         let around = || {
@@ -255,8 +256,7 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         let whitened = Whitened::new(self.shape(), offset.0, offset.1, footprint);
         let side2 = whitened.longer_side_squared();
         if groove::may_be_unresolved(root_det, side2) {
-            let covered = groove::unresolved(self.shape(), side2, offset, footprint);
-            if let Some(covered) = covered {
+            if let Some(covered) = groove::unresolved(self.shape(), side2, offset, footprint) {
                 return if z > zero { self.groove_over(wo, wi, covered) } else { zero };
             }
         }

@@ -46,16 +46,6 @@ const LOBE_GROOVE_BRUSHED: f32 = 300.0;
 // Rust: `LARGEST_GAIN`.
 const LOBE_GROOVE_LARGEST_GAIN: f32 = 1e30;
 
-// Rust: `seen`.
-fn lobe_groove_seen(shape: LobeFull, offset: vec4f, footprint: LobeFootprint, mean: f32) -> LobeGrooveCovered {
-    let alpha = lobe_full_major(shape).z;
-    if alpha * alpha < LOBE_GROOVE_BRUSHED * shape.root_det {
-        return LobeGrooveCovered(mean, vec2f(0.0, 0.0));
-    }
-    let groove = lobe_groove_covered(shape, offset, footprint);
-    return LobeGrooveCovered(select(0.0, mean, groove.mean > 0.0), groove.place);
-}
-
 // Rust: `covered`.
 fn lobe_groove_covered(shape: LobeFull, offset: vec4f, footprint: LobeFootprint) -> LobeGrooveCovered {
     let major = lobe_full_major(shape);

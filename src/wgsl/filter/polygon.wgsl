@@ -54,18 +54,19 @@ fn lobe_ggx_parallelogram_mean(shape: LobeTilted, slope: vec2f, footprint: LobeF
     let sides = lobe_footprint_bounded(footprint);
     let offset = lobe_polygon_offset_of(shape, slope, vec2f(0.0, 0.0));
     let whitened = lobe_whitened_new(shape.shape, offset.xy, offset.zw, sides);
-    let mean = lobe_defined(lobe_polygon_mean_of(shape.shape, whitened, offset, sides));
-    return select(0.0, mean, lobe_is_finite(slope.x) && lobe_is_finite(slope.y));
+    let side_squared = lobe_max(lobe_strip_dot(whitened.u, whitened.u), lobe_strip_dot(whitened.v, whitened.v));
+    var mean = 0.0;
+    if lobe_groove_may_be_unresolved(shape.shape.root_det, side_squared)
+        && lobe_groove_is_unresolved(shape.shape, side_squared, sides) {
+        mean = lobe_groove_covered(shape.shape, offset, sides).mean;
+    } else {
+        mean = lobe_polygon_mean_of(shape.shape, whitened, offset, sides);
+    }
+    return select(0.0, lobe_defined(mean), lobe_is_finite(slope.x) && lobe_is_finite(slope.y));
 }
 
 // Rust: `Ndf::mean_of`.
 fn lobe_polygon_mean_of(shape: LobeFull, w: LobeWhitened, offset: vec4f, footprint: LobeFootprint) -> f32 {
-    let side_squared = lobe_max(lobe_strip_dot(w.u, w.u), lobe_strip_dot(w.v, w.v));
-    if lobe_groove_may_be_unresolved(shape.root_det, side_squared) {
-        if lobe_groove_is_unresolved(shape, side_squared, footprint) {
-            return lobe_groove_covered(shape, offset, footprint).mean;
-        }
-    }
     return lobe_polygon_unit_mean(shape, w, offset, footprint) / shape.root_det;
 }
 
@@ -137,21 +138,40 @@ fn lobe_ggx_brdf_over(shape: LobeTilted, wo: vec3f, wi: vec3f, footprint: LobeFo
     let offset = lobe_polygon_offset_of(shape, slope, vec2f(x.y, y.y));
     let whitened = lobe_whitened_new(shape.shape, offset.xy, offset.zw, sides);
     let side_squared = lobe_max(lobe_strip_dot(whitened.u, whitened.u), lobe_strip_dot(whitened.v, whitened.v));
-    if lobe_groove_may_be_unresolved(root_det, side_squared) {
-        if lobe_groove_is_unresolved(shape.shape, side_squared, sides) {
-            let covered = lobe_groove_covered(shape.shape, offset, sides);
-            return select(0.0, lobe_polygon_groove_over(shape, wo, wi, covered), z.x > 0.0);
+    let unresolved = lobe_groove_may_be_unresolved(root_det, side_squared)
+        && lobe_groove_is_unresolved(shape.shape, side_squared, sides);
+    var mean = 0.0;
+    if !unresolved {
+        mean = lobe_polygon_mean_of(shape.shape, whitened, offset, sides);
+    }
+    let faint = !(at_point >= LOBE_MIN_POSITIVE) || mean * LOBE_PI > LOBE_GROOVE_LARGEST_GAIN * at_point;
+    let parallel = lobe_secant_is_parallel(whitened);
+    // Rust asks for the groove in three places. Here they share one call: each call is code of its own in a shader.
+    var covered = LobeGrooveCovered(mean, vec2f(0.0, 0.0));
+    var first = LobeSecantFirst(parallel, false, vec2f(0.0, 0.0), 0.0);
+    if unresolved || faint || parallel {
+        let major = lobe_full_major(shape.shape);
+        let alpha = major.z;
+        let reach = select(lobe_min(alpha, lobe_groove_reach_across(major.xy, sides)), alpha, faint);
+        let brushed = alpha * reach >= LOBE_GROOVE_BRUSHED * root_det;
+        if unresolved || brushed {
+            covered = lobe_groove_covered(shape.shape, offset, sides);
+            let x = lobe_kept(covered.place.x / alpha);
+            let y = lobe_kept(covered.place.y / alpha);
+            first = LobeSecantFirst(parallel, true, lobe_polygon_at_place(shape, covered.place), x * x + y * y);
         }
     }
-    let mean = lobe_polygon_mean_of(shape.shape, whitened, offset, sides);
-    if !(at_point >= LOBE_MIN_POSITIVE) || mean * LOBE_PI > LOBE_GROOVE_LARGEST_GAIN * at_point {
-        let seen = lobe_groove_seen(shape.shape, offset, sides, mean);
-        let over = lobe_polygon_groove_over(shape, wo, wi, seen);
-        return select(brdf, lobe_max(over, brdf), z.x > 0.0 && seen.mean > 0.0);
+    if unresolved || faint {
+        // The density at the half vector says nothing about the mean: a footprint that reaches the lobe has one.
+        covered.mean = select(select(0.0, mean, covered.mean > 0.0), covered.mean, unresolved);
+        var over = 0.0;
+        if z.x > 0.0 && covered.mean > 0.0 {
+            over = lobe_polygon_groove_over(shape, wo, wi, covered);
+        }
+        return select(lobe_max(over, brdf), over, unresolved);
     }
     let ratio = sqrt(mean * LOBE_PI / at_point);
-    let groove = lobe_polygon_groove_place(shape, whitened, offset, sides);
-    let factor = ratio * lobe_secant_ratio(slope, form / root_det, ratio, sides, whitened, groove);
+    let factor = ratio * lobe_secant_ratio(slope, form / root_det, ratio, sides, whitened, first);
     return lobe_below_infinity(lobe_max(lobe_defined(lobe_kept(brdf * factor) * factor), 0.0));
 }
 
@@ -162,27 +182,6 @@ fn lobe_polygon_groove_over(shape: LobeTilted, wo: vec3f, wi: vec3f, covered: Lo
     let visibility = lobe_ggx_visibility(lobe_tilted_view(shape, wo), lobe_tilted_view(shape, wi));
     let filtered = lobe_kept(lobe_kept(covered.mean * visibility) * secant_squared) * secant_squared;
     return lobe_below_infinity(lobe_max(lobe_defined(filtered), 0.0));
-}
-
-// Rust: `Ndf::groove_place`, and the test of `secant_ratio` for sides that are nearly parallel.
-fn lobe_polygon_groove_place(
-    shape: LobeTilted, w: LobeWhitened, offset: vec4f, footprint: LobeFootprint
-) -> LobeSecantFirst {
-    let parallel = lobe_secant_is_parallel(w);
-    let none = LobeSecantFirst(parallel, false, vec2f(0.0, 0.0), 0.0);
-    if !parallel {
-        return none;
-    }
-    let major = lobe_full_major(shape.shape);
-    let alpha = major.z;
-    let across = lobe_groove_reach_across(major.xy, footprint);
-    if !(alpha * lobe_min(alpha, across) >= LOBE_GROOVE_BRUSHED * shape.shape.root_det) {
-        return none;
-    }
-    let place = lobe_groove_covered(shape.shape, offset, footprint).place;
-    let x = lobe_kept(place.x / alpha);
-    let y = lobe_kept(place.y / alpha);
-    return LobeSecantFirst(true, true, lobe_polygon_at_place(shape, place), x * x + y * y);
 }
 
 // Rust: `Ndf::at_place`.
