@@ -33,9 +33,8 @@ impl Looks {
             (None, Some(clear)) if self.survey.is_masked() => self.lines.push(clear),
             (None, _) => {}
         }
-        let encoded =
-            if normals { looks::encoded(&whole, options.flip_y) } else { None }.unwrap_or_default();
-        self.lines.extend(looks::tilted(&whole).map(|line| line + encoded));
+        let encoded = normals.then(|| looks::encoded(&whole, options.flip_y)).flatten();
+        self.lines.extend(looks::tilted(&whole).map(|line| line + encoded.unwrap_or_default()));
         if normals {
             let remedy = if options.flip_y { "leave --flip-y out" } else { "--flip-y" };
             self.lines.extend(looks::turned(map, options.flip_y, remedy));
