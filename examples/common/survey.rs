@@ -54,7 +54,7 @@ pub(crate) struct Survey {
     up: usize,
     /// The sums of x and of y as they are read, of which the largest number is 1.
     sums: [i64; 2],
-    /// The sum of the differences between squared lengths and 1, and texels in which it exceeds [`NO_UNIT_VECTORS`].
+    /// The sum of the differences between squared lengths and 1, and texels in which it exceeds [`FAR_OFF`].
     off: f64,
     far_off: usize,
     /// Whether alpha is coverage, by the user's word.
@@ -70,6 +70,8 @@ const COLOURED: usize = 1000;
 /// Mean difference between a squared length and 1 above which channels are no unit vectors. Mip levels and compressed
 /// maps stay far below.
 const NO_UNIT_VECTORS: f64 = 0.1;
+/// Difference above which a texel is no unit vector: of maps from lossy files one texel in eight may be beyond it.
+const FAR_OFF: f64 = 0.3;
 /// Mean difference above which channels are no unit vectors, if blue is constant: codes of 8 bits are off by 0.01 in such
 /// a map, by 0.016 where they were rounded down.
 const NO_CONSTANT_Z: f64 = 0.02;
@@ -132,7 +134,7 @@ impl Survey {
         // A picture without alpha is opaque.
         let alpha = self.has_alpha.then(|| place(ALPHA, texel));
         let nearly = (NEARLY_GREY * largest as f64) as i64;
-        let far = (NO_UNIT_VECTORS * (largest * largest) as f64) as i64;
+        let far = (FAR_OFF * (largest * largest) as f64) as i64;
         let (mut low, mut high) = (self.low, self.high);
         let mut off = 0_i64;
         for texel in bytes.chunks_exact(texel.bytes()) {

@@ -188,6 +188,19 @@ fn layouts_of_two_channels_are_pointed_out() {
     assert_eq!(warned(&input, &out, &[]).1, [""; 0]);
 }
 
+/// Maps from lossy files, whose vectors are up to a third too long or too short.
+#[test]
+fn real_maps_are_taken_as_they_are() {
+    let (_, out) = files("real");
+    let assets = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/report/assets");
+    for name in ["diamond-plate", "leather", "wood-fibre"] {
+        assert_eq!(warned(&assets.join(format!("{name}.png")), &out, &[]).1, [""; 0]);
+    }
+    // Its green points down, as the folder's README says.
+    let (_, warnings) = warned(&assets.join("crumpled-paper.png"), &out, &[]);
+    assert!(warnings.len() == 1 && warnings[0].contains("pointed down"), "{warnings:?}");
+}
+
 #[test]
 fn alpha_that_colours_were_multiplied_by_is_pointed_out() {
     let (input, out) = files("premultiplied");
