@@ -82,9 +82,9 @@ pub(crate) struct Options {
 
 #[derive(Clone, Copy, ValueEnum)]
 pub(crate) enum Edge {
-    /// The map again.
+    /// The map, repeated.
     Wrap,
-    /// Its outermost texels, repeated.
+    /// The map's outermost texels, repeated.
     Clamp,
 }
 

@@ -1,6 +1,6 @@
 //! Warnings about a baked map: what it looks like, for the user to judge.
 
-use super::looks;
+use super::looks::{self, Green};
 use super::options::Options;
 use super::slopes::Slopes;
 use super::survey::Survey;
@@ -25,7 +25,7 @@ impl Looks {
 
     /// All lines, by the chain of the map.
     pub(crate) fn warnings(mut self, map: &MomentMap<f32>, options: &Options) -> Vec<String> {
-        let (normals, whole) = (options.height.is_none(), looks::whole(map));
+        let normals = options.height.is_none();
         let clear = if normals { clear(&self.survey) } else { None };
         match (looks::clipped(self.clipped, &format!("--cap {}", options.steepest())), clear) {
             (Some(clipped), Some(clear)) => self.lines.push(format!("{clipped}; {clear}")),
@@ -33,12 +33,9 @@ impl Looks {
             (None, Some(clear)) if self.survey.is_masked() => self.lines.push(clear),
             (None, _) => {}
         }
-        let encoded = normals.then(|| looks::encoded(&whole, options.flip_y)).flatten();
-        self.lines.extend(looks::tilted(&whole).map(|line| line + encoded.unwrap_or_default()));
-        if normals {
-            let remedy = if options.flip_y { "leave --flip-y out" } else { "--flip-y" };
-            self.lines.extend(looks::turned(map, options.flip_y, remedy));
-        }
+        let flipped = options.flip_y;
+        let remedy = if flipped { "leave --flip-y out" } else { "--flip-y" };
+        self.lines.extend(looks::lines(map, normals.then_some(Green { flipped, remedy })));
         self.lines
     }
 }

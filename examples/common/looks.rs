@@ -36,8 +36,23 @@ pub(crate) fn clipped(clipped: Clipped, cap: &str) -> Option<String> {
     })
 }
 
+/// A normal map's y: whether it was negated as it was read, and how a message says to read it the other way.
+#[derive(Clone, Copy)]
+pub(crate) struct Green<'a> {
+    pub(crate) flipped: bool,
+    pub(crate) remedy: &'a str,
+}
+
+/// What a map's slopes look like, a line each; `green` is known of normal maps.
+pub(crate) fn lines(map: &MomentMap<f32>, green: Option<Green<'_>>) -> Vec<String> {
+    let whole = whole(map);
+    let bent = green.and_then(|green| bent(&whole, green.flipped)).unwrap_or_default();
+    let tilted = tilted(&whole).map(|line| line + bent);
+    tilted.into_iter().chain(green.and_then(|green| turned(map, green))).collect()
+}
+
 /// A mean slope that is no rounding of 0, and more than what the map adds to it.
-pub(crate) fn tilted(moments: &SlopeMoments<f32>) -> Option<String> {
+fn tilted(moments: &SlopeMoments<f32>) -> Option<String> {
     let [x, y] = moments.mean();
     let (neutral, deviation) = (x.abs() <= NEUTRAL && y.abs() <= NEUTRAL, deviation(moments));
     if neutral || x.hypot(y) <= deviation {
@@ -54,9 +69,9 @@ pub(crate) fn tilted(moments: &SlopeMoments<f32>) -> Option<String> {
     })
 }
 
-/// What to add of a normal map whose mean slope is a neutral texel's that a colour curve has bent; `flipped` if its y was
-/// negated.
-pub(crate) fn encoded(moments: &SlopeMoments<f32>, flipped: bool) -> Option<&'static str> {
+/// The end of a message about a normal map whose mean slope is that of a neutral texel bent by a colour curve; `flipped` if
+/// the map's y was negated.
+fn bent(moments: &SlopeMoments<f32>, flipped: bool) -> Option<&'static str> {
     let [x, y] = moments.mean();
     let y = if flipped { -y } else { y };
     let near = |slope: f32| (x - slope).abs() <= BENT_NEAR && (y - slope).abs() <= BENT_NEAR;
@@ -73,8 +88,8 @@ pub(crate) fn encoded(moments: &SlopeMoments<f32>, flipped: bool) -> Option<&'st
     }
 }
 
-/// What is said of normals whose y points the other way, with `remedy` at its end; `flipped` if it was negated already.
-pub(crate) fn turned(map: &MomentMap<f32>, flipped: bool, remedy: &str) -> Option<String> {
+/// What is said of normals whose y points the other way.
+fn turned(map: &MomentMap<f32>, Green { flipped, remedy }: Green<'_>) -> Option<String> {
     let pointed = if flipped { "up" } else { "down" };
     turned_round(map).then(|| {
         format!(

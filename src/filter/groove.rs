@@ -14,9 +14,9 @@ pub(super) fn limit<R: Real>() -> R {
     R::lit(4.0) / (R::EPSILON * R::EPSILON)
 }
 
-/// False for most lobes that a footprint resolves. True for a mirror, for a groove, and for lobes that [`unresolved`] must look at.
+/// False for most lobes that a footprint resolves. True for a mirror, for a groove, and for lobes that [`narrow`] must look at.
 #[inline(always)]
-pub(super) fn may_be_unresolved<R: Real>(root_det: R, longer_side_squared: R) -> bool {
+fn may_be_unresolved<R: Real>(root_det: R, longer_side_squared: R) -> bool {
     !(root_det >= R::MIN_POSITIVE && longer_side_squared <= limit::<R>() * limit::<R>())
 }
 
@@ -31,12 +31,27 @@ pub(super) struct Covered<R> {
 
 /// The lobe as a mirror or a groove, none if the footprint resolves the lobe; `offset` is the footprint's centre less the
 /// lobe's mean as an unevaluated sum.
+#[inline(always)]
+pub(super) fn unresolved<S: Shape>(
+    shape: &S,
+    longer_side_squared: S::Scalar,
+    offset: ([S::Scalar; 2], [S::Scalar; 2]),
+    footprint: &Footprint<S::Scalar>,
+) -> Option<Covered<S::Scalar>> {
+    if may_be_unresolved(shape.root_det(), longer_side_squared) {
+        narrow(shape, longer_side_squared, offset, footprint)
+    } else {
+        None
+    }
+}
+
+/// [`unresolved`] of a lobe that may be.
 ///
 /// A footprint longer than the limit may be a sliver that is as thick as the lobe is wide. A regular lobe is a mirror
 /// only if the footprint's thickness exceeds the limit, too, and a groove only if it is $2^{24}$ times as long as wide and
 /// the footprint reaches across it by the limit.
 #[inline(never)]
-pub(super) fn unresolved<S: Shape>(
+fn narrow<S: Shape>(
     shape: &S,
     longer_side_squared: S::Scalar,
     offset: ([S::Scalar; 2], [S::Scalar; 2]),

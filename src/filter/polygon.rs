@@ -102,10 +102,8 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         let offset = self.offset_of(slope.into(), [S::Scalar::ZERO; 2]);
         let whitened = Whitened::new(self.shape(), offset.0, offset.1, footprint);
         let side2 = whitened.longer_side_squared();
-        if groove::may_be_unresolved(self.shape().root_det(), side2) {
-            if let Some(covered) = groove::unresolved(self.shape(), side2, offset, footprint) {
-                return covered.mean;
-            }
+        if let Some(covered) = groove::unresolved(self.shape(), side2, offset, footprint) {
+            return covered.mean;
         }
         self.mean_of(&whitened, offset, footprint)
     }
@@ -255,10 +253,8 @@ impl<S: Shape> Ndf<GgxDistribution, S> {
         let offset = self.offset_of([x, y], [x_low, y_low]);
         let whitened = Whitened::new(self.shape(), offset.0, offset.1, footprint);
         let side2 = whitened.longer_side_squared();
-        if groove::may_be_unresolved(root_det, side2) {
-            if let Some(covered) = groove::unresolved(self.shape(), side2, offset, footprint) {
-                return if z > zero { self.groove_over(wo, wi, covered) } else { zero };
-            }
+        if let Some(covered) = groove::unresolved(self.shape(), side2, offset, footprint) {
+            return if z > zero { self.groove_over(wo, wi, covered) } else { zero };
         }
         let mean = self.mean_of(&whitened, offset, footprint);
         let most = S::Scalar::lit(groove::LARGEST_GAIN) * pi_point;

@@ -370,7 +370,7 @@ fn rows_that_single_precision_cannot_take_are_counted() {
         "{}",
         text(&output.stdout)
     );
-    // Of such rows alone f32 says nothing, and nothing is no success; f64 and other tables are judged all the same.
+    // A table of which f32 judges no row is over budget in f32; in f64 it is judged, and so are other tables.
     fs::write(&file, format!("{header}\n{far}\n")).unwrap();
     fs::write(folder.join("chermain_m.csv"), golden("chermain_m")).unwrap();
     let output = validate(&[folder.to_str().unwrap()]);

@@ -12,7 +12,7 @@ use crate::channels::Channels;
 use crate::facets::{self, Facets};
 use crate::glints::{self, Glitter};
 use crate::kernels::Kernels;
-use crate::looks;
+use crate::looks::{self, Green};
 use crate::method;
 use crate::minify::{self, Minified, STEEPEST};
 use crate::options::{Mistake, Options, Scenes};
@@ -196,9 +196,7 @@ fn normal_map(path: &Path, channels: Channels) -> Result<NormalMap, Mistake> {
 /// What the slopes of a user's map look like, a line each.
 fn looks_of(texture: &Texture) -> Result<Vec<String>, lobe::Error> {
     let (map, clipped) = minify::moments(texture)?;
-    let (whole, cap) = (looks::whole(&map), format!("a slope of {STEEPEST}"));
-    let encoded = looks::encoded(&whole, false).unwrap_or_default();
-    let tilted = looks::tilted(&whole).map(|line| line + encoded);
-    let turned = looks::turned(&map, false, "invert its green channel");
-    Ok(looks::clipped(clipped, &cap).into_iter().chain(tilted).chain(turned).collect())
+    let clipped = looks::clipped(clipped, &format!("a slope of {STEEPEST}"));
+    let green = Green { flipped: false, remedy: "invert its green channel" };
+    Ok(clipped.into_iter().chain(looks::lines(&map, Some(green))).collect())
 }

@@ -13,11 +13,12 @@ const MOST_PROBES: usize = 1024;
 /// 1/sqrt 3.
 const INVERSE_ROOT_THREE: f64 = 0.577_350_269_189_625_8;
 
-/// Four texels, their bilinear shares and their weights.
+/// Four texels of a level, their bilinear shares, columns and rows.
 struct Corners<R> {
+    level: usize,
     texels: [SlopeMoments<R>; 4],
     shares: [R; 4],
-    weights: [R; 4],
+    places: [[usize; 2]; 4],
 }
 
 impl<R: Real> MomentMap<R> {
@@ -37,9 +38,9 @@ impl<R: Real> MomentMap<R> {
     ///
     /// WGSL: none, a sampler interpolates raw moments there: `lobe_slope_moments_from_raw`.
     pub fn bilinear(&self, level: usize, uv: impl Into<[R; 2]>) -> SlopeMoments<R> {
-        let Corners { texels, shares, weights } = self.corners(level, uv.into());
-        let (shares, _) = self.by_weight(shares, |k| weights[k]);
-        self.absolute(gathered(&texels, &shares))
+        let corners = self.corners(level, uv.into());
+        let (shares, _) = self.by_weight(corners.shares, |k| self.weight_of(&corners, k));
+        self.absolute(gathered(&corners.texels, &shares))
     }
 
     /// Moments at `uv` between levels: [`MomentMap::bilinear`] on the two around `lod`, merged by its fraction.
@@ -73,7 +74,7 @@ impl<R: Real> MomentMap<R> {
     fn between_levels(&self, uv: [R; 2], level: usize, share: R) -> (SlopeMoments<R>, R) {
         let fine = self.corners(level, uv);
         if share == R::ZERO {
-            let (shares, weight) = self.by_weight(fine.shares, |k| fine.weights[k]);
+            let (shares, weight) = self.by_weight(fine.shares, |k| self.weight_of(&fine, k));
             return (gathered(&fine.texels, &shares), weight);
         }
         let coarse = self.corners(level + 1, uv);
@@ -83,7 +84,7 @@ impl<R: Real> MomentMap<R> {
             corners.shares[at] * if k < 4 { R::ONE - share } else { share }
         });
         let texels: [_; 8] = core::array::from_fn(|k| of(k).0.texels[of(k).1]);
-        let (shares, weight) = self.by_weight(shares, |k| of(k).0.weights[of(k).1]);
+        let (shares, weight) = self.by_weight(shares, |k| self.weight_of(of(k).0, of(k).1));
         (gathered(&texels, &shares), weight)
     }
 
@@ -167,14 +168,17 @@ impl<R: Real> MomentMap<R> {
         let places = [[left, above], [right, above], [left, below], [right, below]];
         let (p, q) = (R::ONE - x, R::ONE - y);
         Corners {
+            level,
             texels: places.map(|[column, row]| self.relative(level, column, row)),
             shares: [p * q, x * q, p * y, x * y],
-            weights: if self.weights.is_empty() {
-                [R::ONE; 4]
-            } else {
-                places.map(|[column, row]| self.weight(level, column, row))
-            },
+            places,
         }
+    }
+
+    /// The weight of the `k`th corner.
+    fn weight_of(&self, corners: &Corners<R>, k: usize) -> R {
+        let [column, row] = corners.places[k];
+        self.weight(corners.level, column, row)
     }
 
     /// The two texels around a coordinate along one axis, and the share of the second.

@@ -18,6 +18,12 @@ struct LobeGrooveCovered {
 
 // Rust: `unresolved`: whether it is some.
 fn lobe_groove_is_unresolved(shape: LobeFull, longer_side_squared: f32, footprint: LobeFootprint) -> bool {
+    return lobe_groove_may_be_unresolved(shape.root_det, longer_side_squared)
+        && lobe_groove_is_narrow(shape, longer_side_squared, footprint);
+}
+
+// Rust: `narrow`: whether it is some.
+fn lobe_groove_is_narrow(shape: LobeFull, longer_side_squared: f32, footprint: LobeFootprint) -> bool {
     let root_det = shape.root_det;
     if !(root_det >= LOBE_MIN_POSITIVE && longer_side_squared <= LOBE_GROOVE_SQUARES) {
         return true;

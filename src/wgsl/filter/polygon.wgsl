@@ -56,8 +56,7 @@ fn lobe_ggx_parallelogram_mean(shape: LobeTilted, slope: vec2f, footprint: LobeF
     let whitened = lobe_whitened_new(shape.shape, offset.xy, offset.zw, sides);
     let side_squared = lobe_max(lobe_strip_dot(whitened.u, whitened.u), lobe_strip_dot(whitened.v, whitened.v));
     var mean = 0.0;
-    if lobe_groove_may_be_unresolved(shape.shape.root_det, side_squared)
-        && lobe_groove_is_unresolved(shape.shape, side_squared, sides) {
+    if lobe_groove_is_unresolved(shape.shape, side_squared, sides) {
         mean = lobe_groove_covered(shape.shape, offset, sides).mean;
     } else {
         mean = lobe_polygon_mean_of(shape.shape, whitened, offset, sides);
@@ -138,8 +137,7 @@ fn lobe_ggx_brdf_over(shape: LobeTilted, wo: vec3f, wi: vec3f, footprint: LobeFo
     let offset = lobe_polygon_offset_of(shape, slope, vec2f(x.y, y.y));
     let whitened = lobe_whitened_new(shape.shape, offset.xy, offset.zw, sides);
     let side_squared = lobe_max(lobe_strip_dot(whitened.u, whitened.u), lobe_strip_dot(whitened.v, whitened.v));
-    let unresolved = lobe_groove_may_be_unresolved(root_det, side_squared)
-        && lobe_groove_is_unresolved(shape.shape, side_squared, sides);
+    let unresolved = lobe_groove_is_unresolved(shape.shape, side_squared, sides);
     var mean = 0.0;
     if !unresolved {
         mean = lobe_polygon_mean_of(shape.shape, whitened, offset, sides);

@@ -39,9 +39,11 @@ pub(crate) fn read_directory(directory: &Path) -> Result<Directory, String> {
         let path = entry.map_err(named)?.path();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let is_csv = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+        // Editors and systems leave hidden files such as `._ggx_d.csv` beside tables.
         if name.starts_with('.') {
-            // Of editors and systems, as `._ggx_d.csv`.
-        } else if is_csv && !path.is_dir() {
+            continue;
+        }
+        if is_csv && !path.is_dir() {
             paths.push(path);
         } else {
             ignored.push(if path.is_dir() { format!("{name}/") } else { name });
