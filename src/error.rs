@@ -1,6 +1,6 @@
 //! Why a constructor refused its arguments.
 //!
-//! Floor 0: imports nothing. The hot path has no errors: only constructors return them.
+//! Layer 0: imports nothing. The hot path has no errors: only constructors return them.
 
 use core::fmt;
 

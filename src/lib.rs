@@ -9,10 +9,10 @@
 //!
 //! ```
 //! use glam::Vec3;
-//! use lobe::{Footprint, Full, Ggx, Kernel, Lobe, PixelFilter, Roughness};
+//! use lobe::{Footprint, Anisotropic, Ggx, Kernel, Lobe, PixelFilter, Roughness};
 //!
 //! // A material: roughness from what the artist has, here perceptual roughness.
-//! let lobe = Lobe::centred(Roughness::from_perceptual(0.1_f32)?);
+//! let lobe = Lobe::centered(Roughness::from_perceptual(0.1_f32)?);
 //!
 //! // A pixel: how the half vector's slope changes to the next pixels, by differences of half vectors.
 //! let h = Vec3::new(0.02, 0.01, 1.0).normalize();
@@ -26,7 +26,7 @@
 //! let filtered = Ggx::new(widened.shape()).brdf(wo, wi);
 //!
 //! // Another: the lobe averaged over the footprint's parallelogram, exactly.
-//! let ggx = Ggx::new(Full::new(lobe.roughness()));
+//! let ggx = Ggx::new(Anisotropic::new(lobe.roughness()));
 //! let exact = ggx.brdf_over(wo, wi, &footprint);
 //!
 //! assert!(filtered < ggx.brdf(wo, wi) && exact < ggx.brdf(wo, wi));
@@ -35,9 +35,9 @@
 //!
 //! - Upstream, everything ends in a [`Lobe`]: a mean slope and a [`Roughness`]. Footprints ([`Footprint`],
 //!   [`Path`]) become kernels ([`Kernel`]), normal maps become [`SlopeMoments`], and both widen a lobe.
-//! - Downstream, an [`Ndf`] ([`Ggx`] or [`Beckmann`]) over a [`Shape`] answers what shading asks: density,
+//! - Downstream, an [`Ndf`] ([`Ggx`] or [`Beckmann`]) over a [`LobeShape`] answers what shading asks: density,
 //!   projected area, Lambda, G1, G2, visibility, the BRDF without Fresnel. Choose the shape the scene needs:
-//!   [`Isotropic`] costs what hand-written isotropic code costs, [`Full`] takes any anisotropy, [`Tilted`] any
+//!   [`Isotropic`] costs what hand-written isotropic code costs, [`Anisotropic`] takes any anisotropy, [`NonCentered`] any
 //!   mean.
 //! - [`filter`] has the rest: exact means over polygons, proxies with the right peak, filtering on the projected disk,
 //!   roughness for G-buffers, area lights, what engines ship, the papers' formulas as printed.
@@ -100,7 +100,7 @@
 //! |---|---|
 //! | `std` (default) | square root, sine and cosine from the standard library |
 //! | `libm` | the same from `libm`, for `no_std` |
-//! | `published` (default) | what papers and engines have, to compare: `filter::preset`, `filter::kaplanyan_*` |
+//! | `published` (default) | what papers and engines have, to compare: `filter::engine`, `filter::kaplanyan_*` |
 //! | `lean` (default) | normal and displacement maps as moments, [`material::lean`]; needs an allocator |
 //! | `leadr` (default) | displaced surfaces under lights and environments, [`material::leadr`] |
 //! | `glint` (default) | discrete details on nested grids, [`material::glint`], [`material::multilobe`]; needs an allocator |
@@ -110,7 +110,7 @@
 //!
 //! # What it is not
 //!
-//! No sampling of smooth lobes, no multiple scattering, no colour spaces, no file formats, and no filter chosen for you: which
+//! No sampling of smooth lobes, no multiple scattering, no color spaces, no file formats, and no filter chosen for you: which
 //! one a scene wants depends on what it may cost, and the report (`cargo run --release -p lobe-report`) says
 //! what each costs and how wrong it is.
 #![forbid(unsafe_code)]
@@ -137,8 +137,8 @@ pub use ndf::{Beckmann, Distribution, Ggx, Ndf};
 pub use scalar::probe;
 pub use scalar::{Eigen, Psd, Real};
 pub use slope::{
-    Alphas, AxisAligned, Footprint, Full, Isotropic, Lobe, Path, Roughness, Shape, SlopeMoments,
-    Tilted, Vertex,
+    Alphas, Anisotropic, AxisAligned, Footprint, Isotropic, Lobe, LobeShape, NonCentered, Path,
+    Roughness, SlopeMoments, Vertex,
 };
 
 /// The README's example is a test like any other.

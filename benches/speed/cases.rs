@@ -7,7 +7,8 @@ use super::samples::{COUNT, Regime, Sample, samples};
 use super::{glints, hand_written, maps};
 use lobe::filter::{self, DiskKernel};
 use lobe::{
-    AxisAligned, Beckmann, Footprint, Full, Ggx, Isotropic, Kernel, PixelFilter, Roughness, Tilted,
+    Anisotropic, AxisAligned, Beckmann, Footprint, Ggx, Isotropic, Kernel, NonCentered,
+    PixelFilter, Roughness,
 };
 use std::hint::black_box;
 
@@ -47,8 +48,8 @@ fn axis_aligned(s: &Sample) -> AxisAligned<f32> {
     AxisAligned::new(s.alphas[0], s.alphas[1]).expect("valid alphas")
 }
 
-fn full(s: &Sample) -> Full<f32> {
-    Full::new(Roughness::from_matrix(s.matrix))
+fn full(s: &Sample) -> Anisotropic<f32> {
+    Anisotropic::new(Roughness::from_matrix(s.matrix))
 }
 
 /// D at the half vector, with visibility: the BRDF without Fresnel.
@@ -65,7 +66,7 @@ fn shading() -> Vec<Case> {
     let any: Vec<_> = samples.iter().map(|s| (full(s), s.wo, s.wi)).collect();
     let tilted: Vec<_> = samples
         .iter()
-        .map(|s| (Tilted::new(full(s), s.mean).expect("a valid mean"), s.wo, s.wi))
+        .map(|s| (NonCentered::new(full(s), s.mean).expect("a valid mean"), s.wo, s.wi))
         .collect();
     let alpha = |s: &Sample| s.alphas[0];
     let filtered: Vec<_> = samples
@@ -94,15 +95,15 @@ fn shading() -> Vec<Case> {
         }),
         case(GROUP, "variance_addition", filtered.clone(), |&(roughness, footprint, wo, wi)| {
             let widened = roughness.widened(&Kernel::of(&footprint, PixelFilter::BOX));
-            Ggx::new(Full::new(widened)).brdf(wo, wi)
+            Ggx::new(Anisotropic::new(widened)).brdf(wo, wi)
         }),
         case(GROUP, "peak_fitted", filtered.clone(), |&(roughness, footprint, wo, wi)| {
             let widened = roughness.peak_fitted(&Kernel::of(&footprint, PixelFilter::BOX));
-            Ggx::new(Full::new(widened)).brdf(wo, wi)
+            Ggx::new(Anisotropic::new(widened)).brdf(wo, wi)
         }),
         case(GROUP, "projected_space", filtered, |&(roughness, footprint, wo, wi)| {
             let kernel = DiskKernel::of(footprint.u, footprint.v, PixelFilter::BOX);
-            Ggx::new(Full::new(roughness.widened_on_disk(&kernel))).brdf(wo, wi)
+            Ggx::new(Anisotropic::new(roughness.widened_on_disk(&kernel))).brdf(wo, wi)
         }),
     ]
 }

@@ -2,7 +2,8 @@
 
 use super::cases::{Case, case};
 use super::samples::{Regime, samples};
-use lobe::material::glint::{Biscale, Glints, Patch, Published, light_blur};
+use lobe::material::cells::Patch;
+use lobe::material::glint::{Biscale, Glints, ZirrKaplanyan, light_blur};
 use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
 use lobe::{Beckmann, Footprint, Kernel, PixelFilter, Roughness};
 use std::time::Instant;
@@ -32,11 +33,11 @@ pub(crate) fn cases() -> Vec<Case> {
     let biscale = Biscale::from_fractions([0.3_f32, 0.3], [0.05, 0.05]).expect("in range");
     let with = |density: f32| Glints::new(biscale, density).expect("in range");
     let shaded = |name: &'static str, inputs: Vec<Input>, glints: Glints<f32>| {
-        case(GROUP, name, inputs, move |&(patch, wo, wi)| glints.lobe(&patch).brdf(wo, wi, 0.005))
+        case(GROUP, name, inputs, move |&(patch, wo, wi)| glints.ndf(&patch).brdf(wo, wi, 0.005))
     };
     let steep = pixels(1.0);
-    let smooth = Beckmann::new(with(1.0).lobe(&Patch::default()).lobe().shape());
-    let published = Published::new(biscale, 1e9).expect("in range");
+    let smooth = Beckmann::new(with(1.0).ndf(&Patch::default()).smooth_lobe().shape());
+    let published = ZirrKaplanyan::new(biscale, 1e9).expect("in range");
     let mut cases = vec![
         case(GROUP, "smooth_lobe", steep.clone(), move |&(_, wo, wi)| smooth.brdf(wo, wi)),
         shaded("steep", steep.clone(), with(1e9)),
@@ -70,7 +71,7 @@ fn many_lobes() -> Vec<Case> {
     let shaded = |name: &'static str, aspect: f32, density: f32| {
         let facets = with(density);
         case(GROUP, name, pixels(aspect), move |&(patch, wo, wi)| {
-            facets.lobe(dictionary, &patch).brdf(wo, wi)
+            facets.ndf(dictionary, &patch).brdf(wo, wi)
         })
     };
     vec![
@@ -78,17 +79,17 @@ fn many_lobes() -> Vec<Case> {
         shaded("many_lobes_longest", 8.0, 1e9),
         shaded("many_lobes_smooth", 1.0, 1e21),
         case(GROUP, "many_lobes_box", pixels(1.0), move |&(patch, wo, wi)| {
-            with(1e9).lobe(dictionary, &patch).widened(&kernel).brdf(wo, wi)
+            with(1e9).ndf(dictionary, &patch).widened(&kernel).brdf(wo, wi)
         }),
         case(GROUP, "many_lobes_long_box", pixels(1.0), move |&(patch, wo, wi)| {
-            with(1e9).lobe(dictionary, &patch).widened(&long).brdf(wo, wi)
+            with(1e9).ndf(dictionary, &patch).widened(&long).brdf(wo, wi)
         }),
         case(GROUP, "many_lobes_mips", pixels(1.0), move |&(patch, wo, wi)| {
-            with(1e9).lobe(dictionary, &patch).with_mips(&footprint, 0.5).brdf(wo, wi)
+            with(1e9).ndf(dictionary, &patch).with_mips(&footprint, 0.5).brdf(wo, wi)
         }),
         // With its pdf, which is a whole evaluation.
         case(GROUP, "many_lobes_sample", pixels(1.0), move |&(patch, wo, wi)| {
-            let drawn = with(1e9).lobe(dictionary, &patch).sample(wo, [wi[0].abs(); 7]);
+            let drawn = with(1e9).ndf(dictionary, &patch).sample(wo, [wi[0].abs(); 7]);
             drawn.map_or(0.0, |drawn| drawn.weight + drawn.pdf)
         }),
     ]

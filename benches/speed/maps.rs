@@ -2,7 +2,7 @@
 
 use super::cases::{Case, case};
 use super::samples::{COUNT, Regime, samples};
-use lobe::material::leadr::{Grid, Leadr};
+use lobe::material::leadr::{Leadr, Quadrature};
 use lobe::material::lean::{Border, MomentMap, SlopeCap};
 use lobe::{Beckmann, Lobe, Roughness, SlopeMoments};
 use std::hint::black_box;
@@ -47,7 +47,7 @@ pub(crate) fn cases() -> Vec<Case> {
         .collect();
     let cap = SlopeCap::new(10.0_f32).expect("a cap");
     let base = Roughness::from_alpha(0.1_f32).expect("alpha");
-    let (grid, mut copy) = (Grid::<f32, 5>::cells(), slopes.clone());
+    let (grid, mut copy) = (Quadrature::<f32, 5>::cells(), slopes.clone());
     let (source, texels) = (slopes.clone(), slopes.clone());
     vec![
         whole("copy", move || {

@@ -20,10 +20,10 @@ use std::thread::available_parallelism;
 #[derive(Parser)]
 #[command(name = "bake")]
 pub(crate) struct Options {
-    /// A PNG of a normal map, or of heights with --height: 8 or 16 bits a channel, a palette, or greyscale of any depth.
+    /// A PNG of a normal map, or of heights with --height: 8 or 16 bits a channel, a palette, or grayscale of any depth.
     ///
     /// A palette and transparency (tRNS) are expanded exactly. Alpha is ignored unless --channels or --coverage reads it;
-    /// gamma, sRGB and ICC chunks are ignored, as normals are no colours; of an animation the still picture is read.
+    /// gamma, sRGB and ICC chunks are ignored, as normals are no colors; of an animation the still picture is read.
     /// A file that ends early or of which any checksum is wrong is refused; bytes after the end chunk are ignored with a
     /// warning.
     /// Heights without --height, red = green = blue in all texels but one of a thousand, are refused.
@@ -55,7 +55,7 @@ pub(crate) struct Options {
     /// Negate y: for maps whose green points down (DirectX). y is up in what is written.
     #[arg(long)]
     pub(crate) flip_y: bool,
-    /// The map is a displacement map: grey (or colours with red = green = blue), and white is this high.
+    /// The map is a displacement map: gray (or colors with red = green = blue), and white is this high.
     #[arg(long, value_name = "SCALE", requires = "texel", allow_negative_numbers = true)]
     #[arg(conflicts_with = "channels")]
     pub(crate) height: Option<Number>,

@@ -7,7 +7,7 @@ use super::progress::Progress;
 use super::survey::{Channel, Survey};
 use super::warnings::clear;
 use super::work::dealt;
-use lobe::material::lean::{Clipped, HeightField, NormalTexel, SlopeCap};
+use lobe::material::lean::{ClippedTexels, HeightField, NormalTexel, SlopeCap};
 use std::time::{Duration, Instant};
 
 /// The slopes of a map, and how long the two steps took.
@@ -15,7 +15,7 @@ pub(crate) struct Slopes {
     pub(crate) rows: Vec<[f32; 2]>,
     /// What each texel counts, if not all count the same.
     pub(crate) weights: Option<Vec<f32>>,
-    pub(crate) clipped: Clipped,
+    pub(crate) clipped: ClippedTexels,
     pub(crate) survey: Survey,
     pub(crate) decoding: Duration,
     pub(crate) converting: Duration,
@@ -58,7 +58,7 @@ impl Slopes {
         let mut rows = vec![[0.0; 2]; width * height];
         let mut weights = normals.coverage.then(|| Vec::with_capacity(rows.len()));
         let mut survey = Survey::new(normals.channels, texel);
-        let mut clipped = Clipped::default();
+        let mut clipped = ClippedTexels::default();
         let (mut converting, whole) = (Duration::ZERO, Instant::now());
         picture.bands(|first, bytes| {
             let start = Instant::now();
@@ -72,7 +72,7 @@ impl Slopes {
             for found in found {
                 let (part, found) = found?;
                 survey.join(&part);
-                clipped = clipped.plus(found);
+                clipped = clipped + found;
             }
             if let Some(weights) = &mut weights {
                 let alpha = place(ALPHA, texel);
@@ -106,7 +106,7 @@ impl Slopes {
     ) -> Result<Self, String> {
         let size = picture.size();
         let texel = picture.texel();
-        // Green, of which a grey that a lossy format has touched keeps the most.
+        // Green, of which a gray that a lossy format has touched keeps the most.
         let [_, green, _] = Channels::RGB.places(texel)?;
         let mut survey = Survey::new(Channels::RGB, texel);
         let mut heights = Vec::with_capacity(size[0] * size[1]);
@@ -124,8 +124,8 @@ impl Slopes {
             converting += start.elapsed();
             progress.by(count as u64)
         })?;
-        if !survey.is_grey() {
-            return Err("is a colour picture; --height needs greyscale".to_owned());
+        if !survey.is_gray() {
+            return Err("is a color picture; --height needs grayscale".to_owned());
         }
         let decoding = whole.elapsed().saturating_sub(converting);
         let start = Instant::now();
@@ -138,7 +138,7 @@ impl Slopes {
         });
         let clipped = bands
             .into_iter()
-            .try_fold(Clipped::default(), |sum, band| band.map(|clipped| sum.plus(clipped)))?;
+            .try_fold(ClippedTexels::default(), |sum, band| band.map(|clipped| sum + clipped))?;
         converting += start.elapsed();
         Ok(Self { rows, weights: None, clipped, survey, decoding, converting })
     }
@@ -178,12 +178,12 @@ fn convert<C: Signed, const PAIRS: bool>(
     [x, y, z]: [usize; 3],
     normals: Normals,
     out: &mut [[f32; 2]],
-) -> Clipped
+) -> ClippedTexels
 where
     [C; 2]: NormalTexel,
     [C; 3]: NormalTexel,
 {
-    let mut clipped = Clipped::default();
+    let mut clipped = ClippedTexels::default();
     let alpha = texel.has_alpha().then(|| place(ALPHA, texel));
     for (out, bytes) in out.iter_mut().zip(bytes.chunks_exact(texel.bytes())) {
         let at = |k: usize| C::at(bytes, k);

@@ -7,7 +7,7 @@ use super::print::print;
 use super::roughness::Roughness;
 use super::say::say;
 use lobe::SlopeMoments;
-use lobe::material::lean::{Border, Clipped};
+use lobe::material::lean::{Border, ClippedTexels};
 use serde_json::json;
 use std::fs;
 use std::io::Write;
@@ -35,7 +35,7 @@ pub(crate) struct Summary {
     pub(crate) range: f32,
     /// Of 16 bits and of f32.
     pub(crate) floors: [f32; 2],
-    pub(crate) clipped: Clipped,
+    pub(crate) clipped: ClippedTexels,
     /// The moments of all slopes.
     pub(crate) whole: SlopeMoments<f32>,
     /// How roughness was written, and how many texels of all levels are rougher than 1.
@@ -127,7 +127,7 @@ impl Summary {
             });
             let root = if kind == "alpha" { "" } else { "; alpha = perceptual^2" };
             description["decode"]["roughness"] = format!(
-                "{bits}-bit grey: {kind} = code / {largest}{root}; \
+                "{bits}-bit gray: {kind} = code / {largest}{root}; \
                  alpha^2 = alpha_base^2 + covariance[xx] + covariance[yy], at most 1"
             )
             .into();

@@ -4,12 +4,12 @@ use super::looks::{self, Green};
 use super::options::Options;
 use super::slopes::Slopes;
 use super::survey::Survey;
-use lobe::material::lean::{Clipped, MomentMap};
+use lobe::material::lean::{ClippedTexels, MomentMap};
 
 /// A map's slopes as their file has them, before the chain takes them.
 pub(crate) struct Looks {
     lines: Vec<String>,
-    clipped: Clipped,
+    clipped: ClippedTexels,
     survey: Survey,
 }
 

@@ -44,7 +44,7 @@ impl Channels {
     }
 }
 
-/// Where red, green, blue or alpha is in a texel; greys have one channel for three.
+/// Where red, green, blue or alpha is in a texel; grays have one channel for three.
 pub(crate) fn place(role: usize, texel: Texel) -> usize {
     match role {
         ALPHA => texel.channels - 1,

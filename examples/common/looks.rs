@@ -1,7 +1,7 @@
 //! What a map's slopes look like: for the user to judge.
 
 use lobe::SlopeMoments;
-use lobe::material::lean::{Clipped, MomentMap};
+use lobe::material::lean::{ClippedTexels, MomentMap};
 
 /// The largest component of a slope that codes of 8 bits may make of 0: (128, 128, 255) is 1/255, and its z may be
 /// somewhat shorter.
@@ -29,7 +29,7 @@ pub(crate) fn deviation(moments: &SlopeMoments<f32>) -> f32 {
 }
 
 /// Texels that a cap has shortened, if they are many; `cap` is how the message names it.
-pub(crate) fn clipped(clipped: Clipped, cap: &str) -> Option<String> {
+pub(crate) fn clipped(clipped: ClippedTexels, cap: &str) -> Option<String> {
     let percent = 100.0 * clipped.fraction();
     (clipped.fraction() > CLIPPED).then(|| {
         format!("{percent:.1} % of the texels are steeper than {cap} and were shortened to it")
@@ -69,7 +69,7 @@ fn tilted(moments: &SlopeMoments<f32>) -> Option<String> {
     })
 }
 
-/// The end of a message about a normal map whose mean slope is that of a neutral texel bent by a colour curve; `flipped` if
+/// The end of a message about a normal map whose mean slope is that of a neutral texel bent by a color curve; `flipped` if
 /// the map's y was negated.
 fn bent(moments: &SlopeMoments<f32>, flipped: bool) -> Option<&'static str> {
     let [x, y] = moments.mean();
@@ -81,7 +81,7 @@ fn bent(moments: &SlopeMoments<f32>, flipped: bool) -> Option<&'static str> {
         )
     } else if near(LINEAR) {
         Some(
-            ", as a neutral map does that was decoded as sRGB, (55, 55, 255): save it without colour management",
+            ", as a neutral map does that was decoded as sRGB, (55, 55, 255): save it without color management",
         )
     } else {
         None

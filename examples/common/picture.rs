@@ -1,8 +1,8 @@
 //! A PNG: read strictly, and given out in bands of rows with every texel expanded.
 //!
 //! The one reader of the programs that take maps. A file is whole ([`integrity`](super::integrity)) or refused. Palettes,
-//! greys below 8 bits and transparency become channels of 8 or 16 bits, exactly; gamma, sRGB and ICC chunks are not
-//! applied, as normals are no colours; of an animation the still picture is read.
+//! grays below 8 bits and transparency become channels of 8 or 16 bits, exactly; gamma, sRGB and ICC chunks are not
+//! applied, as normals are no colors; of an animation the still picture is read.
 
 use super::integrity::{broken, trailing};
 use png::{BitDepth, ColorType, Decoder, Limits, Reader, Transformations};
@@ -13,7 +13,7 @@ use std::path::Path;
 /// How a texel's bytes are laid out: numbers of one width, the highest byte first.
 #[derive(Clone, Copy)]
 pub(crate) struct Texel {
-    /// 1 is grey, 2 grey and alpha, 3 RGB, 4 RGBA.
+    /// 1 is gray, 2 gray and alpha, 3 RGB, 4 RGBA.
     pub(crate) channels: usize,
     /// 16 bits, not 8.
     pub(crate) wide: bool,
@@ -40,9 +40,9 @@ pub(crate) struct Picture<'a> {
     trailing: usize,
 }
 
-/// The colours of a palette picture.
+/// The colors of a palette picture.
 struct Palette {
-    colours: Vec<[u8; 4]>,
+    colors: Vec<[u8; 4]>,
     /// Bits of an index: 1, 2, 4 or 8.
     bits: usize,
 }
@@ -191,33 +191,33 @@ impl<'a> Picture<'a> {
 
 impl Palette {
     fn of(info: &png::Info) -> Result<Self, String> {
-        let colours = info.palette.as_deref().unwrap_or_default();
-        if colours.is_empty() || !colours.chunks_exact(3).remainder().is_empty() {
+        let colors = info.palette.as_deref().unwrap_or_default();
+        if colors.is_empty() || !colors.chunks_exact(3).remainder().is_empty() {
             return Err("not a readable PNG (its palette is missing or malformed)".to_owned());
         }
         let transparency = info.trns.as_deref().unwrap_or_default();
-        if transparency.len() > colours.len() / 3 {
-            return Err("not a readable PNG (more transparencies than colours)".to_owned());
+        if transparency.len() > colors.len() / 3 {
+            return Err("not a readable PNG (more transparencies than colors)".to_owned());
         }
-        // Colours without a transparency of their own are opaque.
+        // Colors without a transparency of their own are opaque.
         let alphas = transparency.iter().copied().chain(std::iter::repeat(u8::MAX));
-        let colours = colours.chunks_exact(3).zip(alphas);
-        let colours = colours.map(|(rgb, alpha)| [rgb[0], rgb[1], rgb[2], alpha]).collect();
-        Ok(Self { colours, bits: info.bit_depth as usize })
+        let colors = colors.chunks_exact(3).zip(alphas);
+        let colors = colors.map(|(rgb, alpha)| [rgb[0], rgb[1], rgb[2], alpha]).collect();
+        Ok(Self { colors, bits: info.bit_depth as usize })
     }
 
-    /// A row of packed indices as colours, with or without alpha.
+    /// A row of packed indices as colors, with or without alpha.
     fn expand(&self, codes: &[u8], channels: usize, out: &mut [u8]) -> Result<(), String> {
         let mask = u8::MAX >> (8 - self.bits);
         for (k, out) in out.chunks_exact_mut(channels).enumerate() {
             // The leftmost texel is in the highest bits.
             let bit = k * self.bits;
             let index = codes[bit / 8] >> (8 - self.bits - bit % 8) & mask;
-            let colour = self.colours.get(usize::from(index)).ok_or_else(|| {
-                let count = self.colours.len();
-                format!("not a readable PNG (texels of colour {index}, a palette of {count})")
+            let color = self.colors.get(usize::from(index)).ok_or_else(|| {
+                let count = self.colors.len();
+                format!("not a readable PNG (texels of color {index}, a palette of {count})")
             })?;
-            out.copy_from_slice(&colour[..channels]);
+            out.copy_from_slice(&color[..channels]);
         }
         Ok(())
     }

@@ -47,9 +47,9 @@ pub(crate) struct Survey {
     low: [i64; 4],
     high: [i64; 4],
     /// The largest difference between a texel's red, green and blue.
-    colour: i64,
-    /// Texels in which that difference is more than a grey's.
-    coloured: usize,
+    color: i64,
+    /// Texels in which that difference is more than a gray's.
+    colored: usize,
     /// Texels whose z points up.
     up: usize,
     /// The sums of x and of y as they are read, of which the largest number is 1.
@@ -59,14 +59,14 @@ pub(crate) struct Survey {
     far_off: usize,
     /// Whether alpha is coverage, by the user's word.
     covered: bool,
-    /// Whether no colour is above its alpha, as in pictures premultiplied by it.
+    /// Whether no color is above its alpha, as in pictures premultiplied by it.
     below_alpha: bool,
 }
 
-/// How far colours may lie apart in a grey picture that a lossy format has touched, of 1.
-const NEARLY_GREY: f64 = 4.5 / 255.0;
-/// A grey picture may have a coloured texel, a mark or a fault, among so many.
-const COLOURED: usize = 1000;
+/// How far colors may lie apart in a gray picture that a lossy format has touched, of 1.
+const NEARLY_GRAY: f64 = 4.5 / 255.0;
+/// A gray picture may have a colored texel, a mark or a fault, among so many.
+const COLORED: usize = 1000;
 /// Mean difference between a squared length and 1 above which channels are no unit vectors. Mip levels and compressed
 /// maps stay far below.
 const NO_UNIT_VECTORS: f64 = 0.1;
@@ -78,10 +78,10 @@ const NO_CONSTANT_Z: f64 = 0.02;
 
 /// The least part of texels that a mask of islands leaves out.
 const MASKED: f64 = 0.01;
-/// The largest mean of x and of y, of 1, in channels that hold normals and not colours bent by a curve: those of (188, 188,
+/// The largest mean of x and of y, of 1, in channels that hold normals and not colors bent by a curve: those of (188, 188,
 /// 255) and (55, 55, 255) are 0.47 and -0.57.
 const TILTED: f64 = 0.3;
-/// The largest alpha of a texel by which a picture is taken for premultiplied: near 1 colours are below it by chance.
+/// The largest alpha of a texel by which a picture is taken for premultiplied: near 1 colors are below it by chance.
 const THIN: f64 = 0.85;
 
 impl Survey {
@@ -97,8 +97,8 @@ impl Survey {
             partly_clear: 0,
             low: [i64::MAX; 4],
             high: [i64::MIN; 4],
-            colour: 0,
-            coloured: 0,
+            color: 0,
+            colored: 0,
             up: 0,
             sums: [0; 2],
             off: 0.0,
@@ -133,7 +133,7 @@ impl Survey {
         let largest: i64 = C::LARGEST.into();
         // A picture without alpha is opaque.
         let alpha = self.has_alpha.then(|| place(ALPHA, texel));
-        let nearly = (NEARLY_GREY * largest as f64) as i64;
+        let nearly = (NEARLY_GRAY * largest as f64) as i64;
         let far = (FAR_OFF * (largest * largest) as f64) as i64;
         let (mut low, mut high) = (self.low, self.high);
         let mut off = 0_i64;
@@ -153,9 +153,9 @@ impl Survey {
                 low[k] = low[k].min(value);
                 high[k] = high[k].max(value);
             }
-            let colour = most - r.min(g).min(b);
-            self.colour = self.colour.max(colour);
-            self.coloured += usize::from(colour > nearly);
+            let color = most - r.min(g).min(b);
+            self.color = self.color.max(color);
+            self.colored += usize::from(color > nearly);
             let signed = |k: usize| 2 * Into::<i64>::into(C::at(texel, k)) - largest;
             let [x, y, z] = places.map(signed);
             self.sums = [self.sums[0] + x, self.sums[1] + y];
@@ -184,8 +184,8 @@ impl Survey {
             self.low[k] = self.low[k].min(other.low[k]);
             self.high[k] = self.high[k].max(other.high[k]);
         }
-        self.colour = self.colour.max(other.colour);
-        self.coloured += other.coloured;
+        self.color = self.color.max(other.color);
+        self.colored += other.colored;
         self.up += other.up;
         self.sums = [0, 1].map(|k| self.sums[k] + other.sums[k]);
         self.off += other.off;
@@ -200,8 +200,8 @@ impl Survey {
     }
 
     /// Whether red, green and blue are equal, or as good as equal, in all texels but one of a thousand.
-    pub(crate) fn is_grey(&self) -> bool {
-        COLOURED * self.coloured <= self.counted
+    pub(crate) fn is_gray(&self) -> bool {
+        COLORED * self.colored <= self.counted
     }
 
     /// How many texels of alpha 0 count like all others, if any do.
@@ -223,11 +223,11 @@ impl Survey {
         if self.counted == 0 {
             return Some("alpha is 0 in every texel".to_owned());
         }
-        if self.is_grey() && !self.channels.use_alpha() {
-            let equal = if self.colour == 0 { "equal" } else { "nearly equal" };
-            let texels = match self.coloured {
+        if self.is_gray() && !self.channels.use_alpha() {
+            let equal = if self.color == 0 { "equal" } else { "nearly equal" };
+            let texels = match self.colored {
                 0 => "in every texel".to_owned(),
-                coloured => format!("in all but {coloured} of {} texels", self.counted),
+                colored => format!("in all but {colored} of {} texels", self.counted),
             };
             let mut line = format!(
                 "looks like a height (bump) map, not a normal map: red, green and blue are {equal} {texels}{heights}"
@@ -252,7 +252,7 @@ impl Survey {
         let straight = !self.below_alpha || !thin || self.channels.use_alpha();
         if hints.is_empty() && self.has_alpha && !straight {
             hints.push(
-                "looks premultiplied by alpha (no colour is above its alpha), which bends normals: \
+                "looks premultiplied by alpha (no color is above its alpha), which bends normals: \
                  save it with straight alpha"
                     .to_owned(),
             );
@@ -294,7 +294,7 @@ impl Survey {
         let down = 2 * self.high[2] <= self.largest;
         let off = down || mean > NO_UNIT_VECTORS;
         let slightly_off = off || !b && mean > NO_CONSTANT_Z;
-        // Colours that a curve has bent are no unit vectors either, and have other remedies.
+        // Colors that a curve has bent are no unit vectors either, and have other remedies.
         let bent = self.sums.iter().any(|&sum| {
             sum.unsigned_abs() as f64 > TILTED * (self.largest as f64) * self.counted as f64
         });

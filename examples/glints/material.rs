@@ -4,7 +4,8 @@ use super::energy::Energy;
 use super::options::Method;
 use glam::Vec3;
 use lobe::material::Fresnel;
-use lobe::material::glint::{Biscale, GlintLobe, Glints, Patch, Published, light_blur};
+use lobe::material::cells::Patch;
+use lobe::material::glint::{Biscale, GlintNdf, Glints, ZirrKaplanyan, light_blur};
 use lobe::slope::direction::{half_vector, normal_of, slope_of};
 use lobe::{Beckmann, Error, Kernel, Lobe, SlopeMoments};
 
@@ -15,7 +16,7 @@ pub(crate) struct Material {
     variation: f32,
     pub(crate) fresnel: Fresnel<f32>,
     pub(crate) base: Vec3,
-    /// Colours of details, by a number in [0, 1]; white without.
+    /// Colors of details, by a number in [0, 1]; white without.
     pub(crate) palette: Option<fn(f32) -> [f32; 3]>,
 }
 
@@ -64,7 +65,7 @@ impl Material {
     /// How many cells a pixel asks.
     pub(crate) fn cells(&self, patch: &Patch<f32>) -> u32 {
         let mut cells = 0;
-        self.glints.lobe(patch).grid().visit(|_| cells += 1);
+        self.glints.ndf(patch).grid().visit(|_| cells += 1);
         cells
     }
 
@@ -76,7 +77,7 @@ impl Material {
         method: Method,
     ) -> (Vec3, Energy) {
         let (wo, wi) = (pixel.wo, light.wi);
-        // The mean plane's cosine, as `Ndf::brdf` is normalised by it.
+        // The mean plane's cosine, as `Ndf::brdf` is normalized by it.
         let [x, y] = pixel.bumps.mean();
         let cosine = wi.z - x * wi.x - y * wi.y;
         if !(cosine > 0.0) {
@@ -85,10 +86,10 @@ impl Material {
         let tilted = cosine / (1.0 + x * x + y * y).sqrt();
         let diffuse = self.base * light.irradiance * (tilted * std::f32::consts::FRAC_1_PI);
 
-        let lobe = self.glints.lobe(&pixel.patch).over(&pixel.bumps).widened(&light.kernel);
+        let lobe = self.glints.ndf(&pixel.patch).over(&pixel.bumps).widened(&light.kernel);
         let h = Vec3::from(half_vector(wo, wi));
         let fresnel = Vec3::from(self.fresnel.reflectance(wi.dot(h)));
-        let smooth = lobe.ndf().brdf(wo, wi) * cosine * fresnel * light.irradiance;
+        let smooth = lobe.smooth().brdf(wo, wi) * cosine * fresnel * light.irradiance;
         let weight = f64::from(smooth.element_sum() / 3.0);
         if !(weight > 0.0) {
             return (diffuse, Energy::default());
@@ -108,7 +109,7 @@ impl Material {
     /// How much brighter than the smooth lobe the pixel is.
     fn sparkle(
         &self,
-        lobe: &GlintLobe<f32>,
+        lobe: &GlintNdf<f32>,
         pixel: &Pixel,
         light: &Incident,
         method: Method,
@@ -118,21 +119,21 @@ impl Material {
         match (method, self.palette) {
             (Method::Smooth, _) => Vec3::ONE,
             (Method::Published, _) => Vec3::splat(self.published(lobe, pixel, light)),
-            (Method::Glints, Some(palette)) => lobe.coloured_sparkle(h, blur, palette).into(),
+            (Method::Glints, Some(palette)) => lobe.colored_sparkle(h, blur, palette).into(),
             (Method::Glints, None) => Vec3::splat(lobe.sparkle(h, blur)),
         }
     }
 
-    /// The same by the paper and its shader, with the masking that ours has. It knows no colours.
-    fn published(&self, lobe: &GlintLobe<f32>, pixel: &Pixel, light: &Incident) -> f32 {
+    /// The same by the paper and its shader, with the masking that ours has. It knows no colors.
+    fn published(&self, lobe: &GlintNdf<f32>, pixel: &Pixel, light: &Incident) -> f32 {
         let (wo, wi) = (pixel.wo, light.wi);
         let biscale = self.glints.biscale().over(&pixel.bumps).widened(&light.kernel);
         // It knows no tilted lobe either: slopes are told from the mean.
         let slope = slope_of(half_vector(wo, wi));
         let [x, y] = pixel.bumps.mean();
         let h = normal_of([slope[0] - x, slope[1] - y]);
-        let smooth = Beckmann::new(Lobe::centred(lobe.lobe().roughness()).shape()).d(h);
-        let Ok(mut published) = Published::new(biscale, self.density) else { return 1.0 };
+        let smooth = Beckmann::new(Lobe::centered(lobe.smooth_lobe().roughness()).shape()).d(h);
+        let Ok(mut published) = ZirrKaplanyan::new(biscale, self.density) else { return 1.0 };
         published.variation = self.variation;
         let cosine = wi.dot(Vec3::from(half_vector(wo, wi)));
         published.d(&pixel.patch, h, cosine, light.radius) / smooth.max(f32::MIN_POSITIVE)

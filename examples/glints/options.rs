@@ -51,9 +51,9 @@ pub(crate) struct Options {
 pub(crate) enum Subject {
     /// Snow against a low sun, to the horizon.
     Snow,
-    /// A dress of cloth with coloured sparkles.
+    /// A dress of cloth with colored sparkles.
     Fabric,
-    /// A disc of metal, brushed in circles.
+    /// A disk of metal, brushed in circles.
     Brushed,
     /// A ball with grooves.
     Ball,

@@ -14,7 +14,7 @@ pub(crate) struct Picture {
 /// Radiance that becomes white.
 const WHITE: f32 = 5.0;
 
-/// The colour of a radiance at a pixel: Reinhard's curve with a white point (2002, Eq. 4), by channel, and sRGB's.
+/// The color of a radiance at a pixel: Reinhard's curve with a white point (2002, Eq. 4), by channel, and sRGB's.
 ///
 /// A glint is brighter than white by orders of magnitude: the curve keeps the highlight below it apart from it. Codes
 /// are dithered by the pixel's place, as smooth walls and skies have steps otherwise (Jimenez 2014).

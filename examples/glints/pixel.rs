@@ -7,7 +7,7 @@ use super::options::Method;
 use super::scene::{Light, Scene};
 use super::surface::Spot;
 use glam::{DVec3, Vec3};
-use lobe::material::glint::Patch;
+use lobe::material::cells::Patch;
 use lobe::slope::direction::reflect;
 use lobe::{Footprint, Kernel, PixelFilter};
 
@@ -32,7 +32,7 @@ pub(crate) fn shade(
         wo: wo.as_vec3(),
     };
     // A smooth environment is in all details at once: for it the smooth lobe will do.
-    let mut colour = ambient(scene, &pixel, |v| frame.x * v.x + frame.y * v.y + frame.z * v.z);
+    let mut color = ambient(scene, &pixel, |v| frame.x * v.x + frame.y * v.y + frame.z * v.z);
     let mut energy = Energy::default();
     let nearby = steps.map(|step| {
         let moved = [uv[0] + PART * step[0], uv[1] + PART * step[1]];
@@ -46,19 +46,19 @@ pub(crate) fn shade(
             kernel: kernel(scene, camera, light, [spot, nearby[0], nearby[1]]),
         };
         let (radiance, part) = scene.material.reflect(&pixel, &incident, method);
-        colour += radiance;
+        color += radiance;
         energy = energy.and(&part);
     }
     // The smooth lobe asks none, and of the published model nobody counts them.
     let cells = if method == Method::Glints { scene.material.cells(&pixel.patch) } else { 0 };
     let counted = Energy { pixels: 1.0, shaded: 1, cells: u64::from(cells), most: cells, ..energy };
-    (colour, counted)
+    (color, counted)
 }
 
-/// How far the half vector's slope moves over the pixel, each neighbour's in its own shading frame.
+/// How far the half vector's slope moves over the pixel, each neighbor's in its own shading frame.
 ///
 /// A pixel sees details through all half vectors between its edges. On a curved surface seen from afar they differ by
-/// more than a detail's lobe is wide: without this, a pixel would show the one bin of half vectors at its centre,
+/// more than a detail's lobe is wide: without this, a pixel would show the one bin of half vectors at its center,
 /// too bright or black, and flicker as it moves.
 fn kernel(scene: &Scene, camera: &Camera, light: &Light, spots: [Spot; 3]) -> Kernel<f32> {
     let [here, right, up] = spots.map(|spot| {
@@ -69,7 +69,7 @@ fn kernel(scene: &Scene, camera: &Camera, light: &Light, spots: [Spot; 3]) -> Ke
     let Ok(footprint) = Footprint::from_half_vectors(here, right, up) else {
         return Kernel::default();
     };
-    let footprint = footprint.scaled(1.0 / PART).rescaled(Footprint::<f64>::WIDTH_LIMIT);
+    let footprint = (footprint * (1.0 / PART)).capped(Footprint::<f64>::WIDTH_LIMIT);
     let [u, v] = [footprint.u, footprint.v].map(|side| side.map(|x| x as f32));
     Kernel::of(&Footprint::from_slopes(u, v), PixelFilter::BOX)
 }

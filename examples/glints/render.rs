@@ -66,17 +66,17 @@ impl Renderer<'_> {
         hits: &[Vec<Hit>],
         [x, y]: [usize; 2],
     ) -> (Vec3, Energy) {
-        let centre = [x as f64 + 0.5, y as f64 + 0.5];
-        let backdrop = || (scene.backdrop)(camera.ray(centre).direction);
+        let center = [x as f64 + 0.5, y as f64 + 0.5];
+        let backdrop = || (scene.backdrop)(camera.ray(center).direction);
         let here = hits[y][x];
-        let neighbours = [
+        let neighbors = [
             (x > 0).then(|| hits[y][x - 1]),
             hits[y].get(x + 1).copied(),
             (y > 0).then(|| hits[y - 1][x]),
             hits.get(y + 1).map(|row| row[x]),
         ];
-        let edge = neighbours.iter().flatten().any(|hit| hit.is_some() != here.is_some());
-        let (part, shown) = if edge { coverage(scene, camera, centre, here) } else { (1.0, here) };
+        let edge = neighbors.iter().flatten().any(|hit| hit.is_some() != here.is_some());
+        let (part, shown) = if edge { coverage(scene, camera, center, here) } else { (1.0, here) };
         let Some(uv) = shown else { return (backdrop(), Energy::default()) };
         let (radiance, energy) = shade(scene, camera, uv, self.method);
         if edge {
@@ -117,13 +117,13 @@ impl Renderer<'_> {
     }
 }
 
-/// Which part of a pixel the surface covers, by rays that shade nothing, and its place that lies nearest to the centre.
-fn coverage(scene: &Scene, camera: &Camera, centre: [f64; 2], here: Hit) -> (f64, Hit) {
+/// Which part of a pixel the surface covers, by rays that shade nothing, and its place that lies nearest to the center.
+fn coverage(scene: &Scene, camera: &Camera, center: [f64; 2], here: Hit) -> (f64, Hit) {
     let offset = |k: usize| (k as f64 + 0.5) / RAYS as f64 - 0.5;
     let (mut count, mut nearest) = (0, (f64::INFINITY, here));
     for k in 0..RAYS * RAYS {
         let [dx, dy] = [offset(k % RAYS), offset(k / RAYS)];
-        let hit = scene.surface.meet(&camera.ray([centre[0] + dx, centre[1] + dy]));
+        let hit = scene.surface.meet(&camera.ray([center[0] + dx, center[1] + dy]));
         if hit.is_some() {
             count += 1;
             let distance = dx * dx + dy * dy;

@@ -7,7 +7,7 @@ use super::scene::glitter;
 use std::fmt::Write;
 use std::path::Path;
 
-/// The nearest and the farthest camera, in metres.
+/// The nearest and the farthest camera, in meters.
 const DISTANCES: [f64; 2] = [0.4, 51.2];
 
 /// Frames that the sheet shows, and how many of them in a row.

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 /// An entry point `main`, without the items' own text.
 ///
 /// Arguments come one after the other from a uniform array of numbers; the sum of all answers goes to a buffer, or to the
-/// colour of a fragment. So nothing is constant, and nothing is unused.
+/// color of a fragment. So nothing is constant, and nothing is unused.
 #[derive(Clone, Debug)]
 pub(crate) struct Entry {
     /// The buffers and the function.
@@ -153,11 +153,11 @@ fn spelled(module: &Module, ty: Handle<Type>) -> String {
         (None, TypeInner::Matrix { columns, rows, scalar }) => {
             format!("mat{}x{}<{}>", *columns as u8, *rows as u8, scalar_name(scalar.kind))
         }
-        other => unreachable!("no function of the mirror takes or returns {other:?}"),
+        other => unreachable!("no function of the WGSL port takes or returns {other:?}"),
     }
 }
 
-/// The one width that the mirror uses.
+/// The one width that the WGSL port uses.
 fn scalar_name(kind: ScalarKind) -> &'static str {
     match kind {
         ScalarKind::Sint => "i32",
@@ -205,7 +205,7 @@ fn numbers(inner: &TypeInner) -> (usize, ScalarKind) {
             (*columns as usize * *rows as usize, scalar.kind)
         }
         TypeInner::Scalar(scalar) => (1, scalar.kind),
-        other => unreachable!("no function of the mirror takes or returns {other:?}"),
+        other => unreachable!("no function of the WGSL port takes or returns {other:?}"),
     }
 }
 
@@ -229,7 +229,7 @@ fn sum(module: &Module, ty: Handle<Type>, of: &str) -> String {
             (0..*size as usize).map(|k| number(scalar.kind, &format!("{of}[{k}]"))).collect()
         }
         TypeInner::Scalar(scalar) => vec![number(scalar.kind, of)],
-        other => unreachable!("no function of the mirror takes or returns {other:?}"),
+        other => unreachable!("no function of the WGSL port takes or returns {other:?}"),
     };
     parts.join(" + ")
 }

@@ -1,4 +1,4 @@
-//! The files of the mirror that items need, with the headers of a linker.
+//! The files of the WGSL port that items need, with the headers of a linker.
 
 use super::entry::declared;
 use lobe::wgsl::{Item, Module};

@@ -84,7 +84,7 @@ impl Translation {
 
 /// The shader in a language, with its entry point `main`; the shader must be one for the language's device.
 ///
-/// Loops and indices are written as they are: the mirror's loops count to constants, so guards would only cost.
+/// Loops and indices are written as they are: the WGSL port's loops count to constants, so guards would only cost.
 pub(crate) fn translate(shader: &Shader, language: Language) -> Result<Translation, String> {
     match language {
         Language::Glsl => write_glsl(shader, glsl::Version::Desktop(450)),
@@ -150,7 +150,7 @@ const CONSTRUCT: &str = "Constructarray";
 
 /// HLSL whose constant arrays are numbers in braces.
 ///
-/// naga initialises each by a call of a function, which glslang takes for a recursion, and Slang for no constant.
+/// naga initializes each by a call of a function, which glslang takes for a recursion, and Slang for no constant.
 /// Functions that nothing calls any more are left out.
 pub(crate) fn braced(hlsl: &str) -> String {
     let lines: Vec<String> =

@@ -1,6 +1,6 @@
 //! Beckmann over an axis-aligned rectangle: two one-dimensional means.
 //!
-//! Floor 3.
+//! Layer 3.
 
 use super::groove::{limit, share};
 use crate::scalar::Real;
@@ -20,19 +20,19 @@ fn exp_minus_square<R: Real>(x: R, x_low: R) -> R {
     (-square).exp() * (R::ONE - (error + R::TWO * x * x_low))
 }
 
-/// Mean of the centred Gaussian density $e^{-(s/\alpha)^2}/(\sqrt\pi\,\alpha)$ over `slope +- width/2`.
+/// Mean of the centered Gaussian density $e^{-(s/\alpha)^2}/(\sqrt\pi\,\alpha)$ over `slope +- width/2`.
 ///
 /// A mirror's is one over the width within, half of that at either end, and 0 outside; over no width 0. An interval of
 /// more than $2^{48}$ alphas (f32; $2^{106}$ in f64) is a mirror's.
 fn mean_along<R: Real>(slope: R, width: R, alpha: R) -> R {
-    let (centre, half) = (slope.abs(), R::HALF * width.abs());
+    let (midpoint, half) = (slope.abs(), R::HALF * width.abs());
     if alpha >= R::MIN_POSITIVE && half <= limit::<R>() * alpha {
         return unit_mean(slope, width, alpha) / alpha;
     }
     if !(alpha >= R::ZERO) {
         return R::ZERO;
     }
-    let share = share(half - centre);
+    let share = share(half - midpoint);
     if half > R::ZERO { share / half * R::HALF } else { R::ZERO }
 }
 
@@ -41,23 +41,23 @@ fn mean_along<R: Real>(slope: R, width: R, alpha: R) -> R {
 /// Short intervals by Gauss-Legendre; long ones by a difference of erfc on the side where both are
 /// small, which then differ by more than a factor of 2. The exponential is a factor of either.
 fn unit_mean<R: Real>(slope: R, width: R, alpha: R) -> R {
-    let (centre, centre_low) = divide(slope.abs(), alpha);
+    let (midpoint, center_low) = divide(slope.abs(), alpha);
     let (half, half_low) = divide(R::HALF * width.abs(), alpha);
-    if half * (R::ONE + R::TWO * centre) <= R::HALF {
+    if half * (R::ONE + R::TWO * midpoint) <= R::HALF {
         let inverse_root_pi = R::lit(0.564_189_583_547_756_3);
         let at = |y: R| {
             let step = R::TWO * half * y;
-            (-(step * (R::TWO * centre + step))).exp()
+            (-(step * (R::TWO * midpoint + step))).exp()
         };
         let relative = if R::SINGLE { GAUSS_FOUR.mean(at) } else { GAUSS_EIGHT.mean(at) };
-        return inverse_root_pi * exp_minus_square(centre, centre_low) * relative;
+        return inverse_root_pi * exp_minus_square(midpoint, center_low) * relative;
     }
-    let far = centre + half;
-    let (near, near_low) = two_sum(centre, -half);
+    let far = midpoint + half;
+    let (near, near_low) = two_sum(midpoint, -half);
     // Of a long interval that ends near the lobe, what division rounded off is part of the end.
-    let (near, near_low) = two_sum(near, near_low + (centre_low - half_low));
+    let (near, near_low) = two_sum(near, near_low + (center_low - half_low));
     let mass = if near >= R::ZERO {
-        let between = (-(R::lit(4.0) * half * centre)).exp();
+        let between = (-(R::lit(4.0) * half * midpoint)).exp();
         exp_minus_square(near, near_low) * (near.erfcx() - far.erfcx() * between)
     } else {
         R::TWO - (-near).erfc() - far.erfc()
@@ -65,7 +65,7 @@ fn unit_mean<R: Real>(slope: R, width: R, alpha: R) -> R {
     mass / (R::lit(4.0) * half)
 }
 
-/// Mean of the centred Beckmann $P_{22}$ over the rectangle `slope +- widths/2`.
+/// Mean of the centered Beckmann $P_{22}$ over the rectangle `slope +- widths/2`.
 ///
 /// $\prod_k \frac{1}{2 w_k} [\mathrm{erf}((s_k + w_k/2)/\alpha_k) - \mathrm{erf}((s_k -
 /// w_k/2)/\alpha_k)]$, without the cancellation of that difference. `alphas` along the axes of the

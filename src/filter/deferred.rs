@@ -1,6 +1,6 @@
 //! Filtering before the light is known: roughness from the change of the normal.
 //!
-//! Floor 3. All forms take the worst case, a half vector at the normal, and differ in what they make of two
+//! Layer 3. All forms take the worst case, a half vector at the normal, and differ in what they make of two
 //! derivative vectors: a sum, a mean, the largest, a rectangle.
 
 use super::kernel::PixelFilter;
@@ -184,7 +184,7 @@ pub type ShadingFrame<R> = [[R; 3]; 3];
 
 /// The footprint of a quad whose half vectors all stand at its average normal: the deferred assumption.
 ///
-/// `quad`: the frames of this pixel, its horizontal, its vertical and its diagonal neighbour. The average of the four
+/// `quad`: the frames of this pixel, its horizontal, its vertical and its diagonal neighbor. The average of the four
 /// normals stands for every half vector; seen from the frames of the first three it moves as the frames turn.
 ///
 /// Source: Kaplanyan et al. 2016, section 5.4 and Eq. 17; Tokuyoshi 2017, Listing 3.

@@ -1,11 +1,11 @@
 //! Gaussian kernels: exact on Beckmann, by variance addition or by quadrature on GGX.
 //!
-//! Floor 3.
+//! Layer 3.
 
 use super::kernel::Kernel;
 use crate::ndf::Ggx;
 use crate::scalar::Real;
-use crate::slope::{Full, Lobe, Roughness, Shape};
+use crate::slope::{Anisotropic, Lobe, LobeShape, Roughness};
 
 impl<R: Real> Roughness<R> {
     /// The roughness under a Gaussian kernel, $A' = A + 2\Sigma_K$.
@@ -21,7 +21,7 @@ impl<R: Real> Roughness<R> {
     /// use lobe::{Footprint, Kernel, PixelFilter, Roughness};
     /// let kernel = Kernel::of(&Footprint::rectangle([0.2_f64, 0.2]), PixelFilter::KAPLANYAN);
     /// let widened = Roughness::from_alpha(0.1)?.widened(&kernel);
-    /// assert!((widened.alphas().x - (0.01_f64 + 0.02).sqrt()).abs() < 1e-15);
+    /// assert!((widened.alphas().major - (0.01_f64 + 0.02).sqrt()).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
@@ -29,7 +29,7 @@ impl<R: Real> Roughness<R> {
     #[must_use]
     #[inline]
     pub fn widened(&self, kernel: &Kernel<R>) -> Self {
-        self.plus(&Self::from_covariance(kernel.covariance()))
+        *self + Self::from_covariance(kernel.covariance())
     }
 }
 
@@ -38,7 +38,7 @@ impl<R: Real> Lobe<R> {
     ///
     /// ```
     /// use lobe::{Footprint, Ggx, Kernel, Lobe, PixelFilter, Roughness};
-    /// let lobe = Lobe::centred(Roughness::from_alpha(0.01_f32)?);
+    /// let lobe = Lobe::centered(Roughness::from_alpha(0.01_f32)?);
     /// let footprint = Footprint::from_slopes([0.1, 0.0], [0.02, 0.05]);
     /// let filtered = lobe.widened(&Kernel::of(&footprint, PixelFilter::KAPLANYAN));
     /// let ndf = Ggx::new(filtered.shape());
@@ -47,7 +47,7 @@ impl<R: Real> Lobe<R> {
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
-    /// WGSL: `lobe_widened`.
+    /// WGSL: `lobe_lobe_widened`.
     #[must_use]
     #[inline]
     pub fn widened(&self, kernel: &Kernel<R>) -> Self {
@@ -70,7 +70,7 @@ impl<R: Real> Lobe<R> {
 ///
 /// ```
 /// use lobe::{Footprint, Kernel, Lobe, PixelFilter, Roughness, filter};
-/// let lobe = Lobe::centred(Roughness::from_alpha(0.1_f64)?);
+/// let lobe = Lobe::centered(Roughness::from_alpha(0.1_f64)?);
 /// let kernel = Kernel::of(&Footprint::rectangle([0.1, 0.1]), PixelFilter::KAPLANYAN);
 /// let exact = filter::ggx_gaussian_mean(&lobe, [0.0, 0.0], &kernel);
 /// let added = lobe.widened(&kernel);
@@ -86,8 +86,8 @@ pub fn ggx_gaussian_mean<R: Real>(
     kernel: &Kernel<R>,
 ) -> R {
     let base = lobe.roughness().matrix();
-    let added = kernel.covariance().scaled(R::TWO);
-    if base.plus(&added).is_singular() {
+    let added = kernel.covariance() * R::TWO;
+    if (base + added).is_singular() {
         return R::ZERO;
     }
     // d^T adj(M) d = base_form / t + added_form; det M = base_det / t^2 + mixed / t + added_det.
@@ -96,7 +96,7 @@ pub fn ggx_gaussian_mean<R: Real>(
     let m = [d[0], d[1], R::ZERO];
     let low = [d_low[0], d_low[1], R::ZERO];
     let adjugate_form = |matrix: &crate::scalar::Psd<R>| {
-        let full = Full::new(Roughness::from_matrix(*matrix));
+        let full = Anisotropic::new(Roughness::from_matrix(*matrix));
         if matrix.is_singular() {
             // Of rank one, M = w w^T: the square of the cross product with w.
             let [xx, xy, yy] = matrix.entries();

@@ -1,16 +1,16 @@
 //! Mirrors and grooves over a footprint: lobes so narrow that all of their mass lies at a point or on a line.
 //!
-//! Floor 3. A mirror has A = 0, a groove has an A of rank one. A lobe also counts as one of them if the footprint is longer
+//! Layer 3. A mirror has A = 0, a groove has an A of rank one. A lobe also counts as one of them if the footprint is longer
 //! than [`limit`] of the lobe's narrower alpha: its whitened coordinates would leave the range of the precision.
 
-use crate::scalar::Real;
 use crate::scalar::exact::{cross, two_sum};
-use crate::slope::{Footprint, Shape};
+use crate::scalar::{Internal, Real};
+use crate::slope::{Footprint, LobeShape};
 
 /// Length of a footprint in units of the lobe beyond which the lobe counts as a mirror or as a groove: one over the
 /// squared unit of rounding, $2^{48}$ in f32 and $2^{106}$ in f64.
 #[inline(always)]
-pub(super) fn limit<R: Real>() -> R {
+pub(in crate::filter) fn limit<R: Real>() -> R {
     R::lit(4.0) / (R::EPSILON * R::EPSILON)
 }
 
@@ -22,22 +22,22 @@ fn may_be_unresolved<R: Real>(root_det: R, longer_side_squared: R) -> bool {
 
 /// What a footprint covers of a mirror or of a groove.
 #[derive(Clone, Copy)]
-pub(super) struct Covered<R> {
+pub(in crate::filter) struct CoveredCell<R> {
     /// Mean density over the footprint.
-    pub(super) mean: R,
+    pub(in crate::filter) mean: R,
     /// The slope that stands for that mean, less the lobe's mean slope.
-    pub(super) place: [R; 2],
+    pub(in crate::filter) place: [R; 2],
 }
 
-/// The lobe as a mirror or a groove, none if the footprint resolves the lobe; `offset` is the footprint's centre less the
+/// The lobe as a mirror or a groove, none if the footprint resolves the lobe; `offset` is the footprint's center less the
 /// lobe's mean as an unevaluated sum.
 #[inline(always)]
-pub(super) fn unresolved<S: Shape>(
+pub(in crate::filter) fn unresolved<S: LobeShape>(
     shape: &S,
     longer_side_squared: S::Scalar,
     offset: ([S::Scalar; 2], [S::Scalar; 2]),
     footprint: &Footprint<S::Scalar>,
-) -> Option<Covered<S::Scalar>> {
+) -> Option<CoveredCell<S::Scalar>> {
     if may_be_unresolved(shape.root_det(), longer_side_squared) {
         narrow(shape, longer_side_squared, offset, footprint)
     } else {
@@ -51,12 +51,12 @@ pub(super) fn unresolved<S: Shape>(
 /// only if the footprint's thickness exceeds the limit, too, and a groove only if it is $2^{24}$ times as long as wide and
 /// the footprint reaches across it by the limit.
 #[inline(never)]
-fn narrow<S: Shape>(
+fn narrow<S: LobeShape>(
     shape: &S,
     longer_side_squared: S::Scalar,
     offset: ([S::Scalar; 2], [S::Scalar; 2]),
     footprint: &Footprint<S::Scalar>,
-) -> Option<Covered<S::Scalar>> {
+) -> Option<CoveredCell<S::Scalar>> {
     let root_det = shape.root_det();
     let sixteenth = S::Scalar::lit(1.0 / 16.0);
     let has_squares = longer_side_squared <= S::Scalar::MAX * sixteenth;
@@ -74,7 +74,7 @@ fn narrow<S: Shape>(
 
 /// How far a footprint's sides reach across an axis.
 #[inline(always)]
-pub(super) fn reach_across<R: Real>(axis: [R; 2], footprint: &Footprint<R>) -> R {
+pub(in crate::filter) fn reach_across<R: Real>(axis: [R; 2], footprint: &Footprint<R>) -> R {
     cross(axis, footprint.u).abs().max(cross(axis, footprint.v).abs())
 }
 
@@ -86,40 +86,40 @@ fn is_mirror<R: Real>(alpha: R, footprint: &Footprint<R>) -> bool {
 }
 
 /// How many times as long as wide a lobe is that counts as a groove where the footprint resolves it.
-pub(super) const BRUSHED: f64 = 300.0;
+pub(in crate::filter) const BRUSHED: f64 = 300.0;
 
 /// How many times the density at the half vector a mean may be that the density still says something about. Greater
 /// quotients leave the range of f32.
-pub(super) const LARGEST_GAIN: f64 = 1e30;
+pub(in crate::filter) const LARGEST_GAIN: f64 = 1e30;
 
-/// What a footprint with this `mean` covers of a lobe whose density at the footprint's centre is no normal number: of a
+/// What a footprint with this `mean` covers of a lobe whose density at the footprint's center is no normal number: of a
 /// brushed lobe its groove, of any other one the mean slope.
 #[inline(never)]
-pub(super) fn seen<S: Shape>(
+pub(in crate::filter) fn seen<S: LobeShape>(
     shape: &S,
     offset: ([S::Scalar; 2], [S::Scalar; 2]),
     footprint: &Footprint<S::Scalar>,
     mean: S::Scalar,
-) -> Covered<S::Scalar> {
+) -> CoveredCell<S::Scalar> {
     let zero = S::Scalar::ZERO;
     let (_, alpha) = shape.major();
     if alpha * alpha < S::Scalar::lit(BRUSHED) * shape.root_det() {
-        return Covered { mean, place: [zero; 2] };
+        return CoveredCell { mean, place: [zero; 2] };
     }
     let groove = covered(shape, offset, footprint);
-    Covered { mean: if groove.mean > zero { mean } else { zero }, ..groove }
+    CoveredCell { mean: if groove.mean > zero { mean } else { zero }, ..groove }
 }
 
 /// What a footprint covers of the lobe as a mirror, or, if the footprint resolves its major axis, as a groove.
 #[inline(never)]
-pub(super) fn covered<S: Shape>(
+pub(in crate::filter) fn covered<S: LobeShape>(
     shape: &S,
     offset: ([S::Scalar; 2], [S::Scalar; 2]),
     footprint: &Footprint<S::Scalar>,
-) -> Covered<S::Scalar> {
+) -> CoveredCell<S::Scalar> {
     let (axis, alpha) = shape.major();
     if is_mirror(alpha, footprint) {
-        Covered { mean: mirror_mean(offset, footprint), place: [S::Scalar::ZERO; 2] }
+        CoveredCell { mean: mirror_mean(offset, footprint), place: [S::Scalar::ZERO; 2] }
     } else {
         groove(axis, alpha, offset, footprint)
     }
@@ -127,8 +127,8 @@ pub(super) fn covered<S: Shape>(
 
 /// A point of the footprint's border, less the lobe's mean: a corner, or the middle of an edge.
 ///
-/// Cross products with it have the right sign, and all digits, at any distance from 0: a sum of centre and sides alone is
-/// off by the rounding of the centre.
+/// Cross products with it have the right sign, and all digits, at any distance from 0: a sum of center and sides alone is
+/// off by the rounding of the center.
 #[derive(Clone, Copy)]
 struct Border<R> {
     high: [R; 2],
@@ -155,7 +155,7 @@ impl<R: Real> Border<R> {
     }
 }
 
-/// Cross products of the middles of the two edges along `side` with it, half of `other` to either side of the centre.
+/// Cross products of the middles of the two edges along `side` with it, half of `other` to either side of the center.
 #[inline(always)]
 fn edges<R: Real>(offset: ([R; 2], [R; 2]), other: [R; 2], side: [R; 2]) -> [R; 2] {
     let half = other.map(|x| R::HALF * x);
@@ -164,7 +164,7 @@ fn edges<R: Real>(offset: ([R; 2], [R; 2]), other: [R; 2], side: [R; 2]) -> [R; 
 
 /// 1 within, 1/2 on the border, 0 beyond it, for a depth that is positive within.
 #[inline(always)]
-pub(super) fn share<R: Real>(depth: R) -> R {
+pub(in crate::filter) fn share<R: Real>(depth: R) -> R {
     if depth > R::ZERO {
         R::ONE
     } else if depth >= R::ZERO {
@@ -219,17 +219,17 @@ fn groove<R: Real>(
     alpha: R,
     offset: ([R; 2], [R; 2]),
     footprint: &Footprint<R>,
-) -> Covered<R> {
+) -> CoveredCell<R> {
     let (zero, one, half) = (R::ZERO, R::ONE, R::HALF);
     let swap = cross(axis, footprint.u).abs() > cross(axis, footprint.v).abs();
     let (u, v) = if swap { (footprint.v, footprint.u) } else { (footprint.u, footprint.v) };
     let (along_u, along_v) = (cross(axis, u), cross(axis, v));
     let (short, long) = (along_u.abs(), along_v.abs());
     if !(long > zero) {
-        return Covered { mean: zero, place: [zero; 2] };
+        return CoveredCell { mean: zero, place: [zero; 2] };
     }
 
-    // The corner that lies farthest beyond the line, seen from the footprint's centre.
+    // The corner that lies farthest beyond the line, seen from the footprint's center.
     let apart = Border::new(offset, [zero; 2], [zero; 2]).cross(axis);
     let side = if apart < zero { -half } else { half };
     let beyond = |w: [R; 2], along: R| {
@@ -261,5 +261,5 @@ fn groove<R: Real>(
 
     // `max` drops NaN.
     let mean = (part / long * marginal_mean(alpha, start, end)).max(zero).min(R::MAX);
-    Covered { mean, place: axis.map(|x| x * place) }
+    CoveredCell { mean, place: axis.map(|x| x * place) }
 }

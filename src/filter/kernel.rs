@@ -1,12 +1,12 @@
 //! The pixel's kernel as a slope covariance, with the pixel filter named.
 //!
-//! Floor 3. The same citation hides factors from 0.159 to 0.5 in shipped code, because the filter's
+//! Layer 3. The same citation hides factors from 0.159 to 0.5 in shipped code, because the filter's
 //! variance is left unsaid. Here it has a name.
 
-use super::projected::DiskKernel;
 use crate::error::Error;
-use crate::scalar::{Eigen, Psd, Real};
+use crate::scalar::{Eigen, Internal, Psd, Real};
 use crate::slope::Footprint;
+use core::ops::Add;
 
 /// The pixel filter that a Gaussian kernel stands for, as a variance in squared pixels.
 ///
@@ -92,30 +92,7 @@ impl<R: Real> Kernel<R> {
         let factor = limit / footprint.largest_component().max(limit);
         let [u, v] = [footprint.u, footprint.v].map(|side| side.map(|x| x * factor));
         let covariance = Psd::outer_sum(u, v);
-        Self { covariance: covariance.scaled(R::lit(filter.variance)) }
-    }
-
-    /// Tokuyoshi's kernel for forward shading, from derivatives of $(h_x, h_y)$ of the unit half vector used in
-    /// slope space as they are, under [`PixelFilter::KAPLANYAN`].
-    ///
-    /// A deliberate narrowing at grazing half vectors, where quad differences are noise
-    /// ([`Footprint::from_disk_narrowed`]).
-    ///
-    /// Source: Tokuyoshi 2017, Eq. 2, 3 and 7, Listing 1.
-    ///
-    /// ```
-    /// use lobe::{Kernel, Roughness};
-    /// let kernel = Kernel::tokuyoshi_forward([0.1_f64, 0.0], [0.0, 0.2]);
-    /// let widened = Roughness::from_alpha(0.1)?.widened(&kernel);
-    /// // alpha^2 + 2 * 0.25 * derivative^2, per axis.
-    /// assert!((widened.alphas().x.powi(2) - (0.01 + 0.02)).abs() < 1e-15);
-    /// # Ok::<(), lobe::Error>(())
-    /// ```
-    ///
-    /// WGSL: `lobe_kernel_tokuyoshi_forward`.
-    #[inline]
-    pub fn tokuyoshi_forward(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Self {
-        DiskKernel::of(u, v, PixelFilter::KAPLANYAN).as_slopes()
+        Self { covariance: covariance * R::lit(filter.variance) }
     }
 
     /// A kernel of this covariance: an area light, a depth of field, a normal map's spread.
@@ -132,27 +109,6 @@ impl<R: Real> Kernel<R> {
     #[inline]
     pub fn covariance(&self) -> Psd<R> {
         self.covariance
-    }
-
-    /// Two kernels one after the other: covariances add. Nested filtering, of a normal map and a pixel, say.
-    ///
-    /// Source: Kaplanyan et al. 2016, Eq. 21. For GGX over an area, [`Kernel::footprint`].
-    ///
-    /// ```
-    /// use lobe::{Footprint, Kernel, PixelFilter, Roughness, SlopeMoments};
-    /// let texels = SlopeMoments::from_raw([0.0_f64, 0.0], [0.01, 0.0, 0.02])?;
-    /// let pixel = Kernel::of(&Footprint::rectangle([0.1, 0.1]), PixelFilter::KAPLANYAN);
-    /// let base = Roughness::from_alpha(0.1)?;
-    /// // A map's spread as a kernel, or as a lobe: the same.
-    /// let nested = base.widened(&Kernel::from_covariance(texels.covariance()).then(&pixel));
-    /// assert_eq!(nested.matrix().entries()[0], texels.lobe(base).widened(&pixel).roughness().matrix().entries()[0]);
-    /// # Ok::<(), lobe::Error>(())
-    /// ```
-    ///
-    /// WGSL: `lobe_kernel_then`.
-    #[must_use]
-    pub fn then(&self, other: &Self) -> Self {
-        Self { covariance: self.covariance.plus(&other.covariance) }
     }
 
     /// The footprint that this kernel is of, under a pixel filter: along the axes of the covariance.
@@ -206,4 +162,28 @@ impl<R: Real> Kernel<R> {
 
     /// The limit on added alpha^2 of Kaplanyan's 2016 code and of Tokuyoshi 2017, Eq. 10 and 13.
     pub const ALPHA_SQUARED_LIMIT: f64 = 0.18;
+}
+
+impl<R: Real> Add for Kernel<R> {
+    type Output = Self;
+
+    /// Two kernels one after the other: covariances add. Nested filtering, of a normal map and a pixel, say.
+    ///
+    /// Source: Kaplanyan et al. 2016, Eq. 21. For GGX over an area, [`Kernel::footprint`].
+    ///
+    /// ```
+    /// use lobe::{Footprint, Kernel, PixelFilter, Roughness, SlopeMoments};
+    /// let texels = SlopeMoments::from_raw([0.0_f64, 0.0], [0.01, 0.0, 0.02])?;
+    /// let pixel = Kernel::of(&Footprint::rectangle([0.1, 0.1]), PixelFilter::KAPLANYAN);
+    /// let base = Roughness::from_alpha(0.1)?;
+    /// // A map's spread as a kernel, or as a lobe: the same.
+    /// let nested = base.widened(&(Kernel::from_covariance(texels.covariance()) + pixel));
+    /// assert_eq!(nested.matrix().entries()[0], texels.lobe(base).widened(&pixel).roughness().matrix().entries()[0]);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: `lobe_kernel_add`.
+    fn add(self, other: Self) -> Self {
+        Self { covariance: self.covariance + other.covariance }
+    }
 }

@@ -1,6 +1,6 @@
 //! What engines read off a mean of normals: Toksvig, CLEAN, and widening by a von Mises-Fisher lobe.
 //!
-//! Floor 3. One scalar each, so no direction of a brushed map survives; moments of slopes keep it
+//! Layer 3. One scalar each, so no direction of a brushed map survives; moments of slopes keep it
 //! ([`SlopeMoments`](crate::SlopeMoments)). Here to reproduce and to compare.
 
 use crate::error::Error;

@@ -1,6 +1,6 @@
 //! Area lights as kernels: a spherical Gaussian light widens the lobe by the same algebra as a pixel.
 //!
-//! Floor 3. The half vector moves as the light's direction does; its spread over the light is one more covariance.
+//! Layer 3. The half vector moves as the light's direction does; its spread over the light is one more covariance.
 
 use super::kernel::{Kernel, PixelFilter};
 use super::projected::DiskKernel;
@@ -21,7 +21,7 @@ use crate::slope::{Footprint, Motion};
 /// // The sun: half a degree across.
 /// let (wo, wi) = ([0.6_f64, 0.0, 0.8], [-0.6, 0.0, 0.8]);
 /// let sun = SphericalGaussian::from_angular_radius(wi, 0.00465)?;
-/// let lobe = Lobe::centred(Roughness::from_alpha(0.005)?);
+/// let lobe = Lobe::centered(Roughness::from_alpha(0.005)?);
 /// let lit = lobe.widened(&sun.kernel(wo));
 /// let radiance = sun.integral() * Beckmann::new(lit.shape()).brdf(wo, wi) * wi[2];
 /// assert!(radiance > 0.0 && radiance < 1.0); // never brighter than the light
@@ -53,7 +53,7 @@ impl<R: Real> SphericalGaussian<R> {
         Ok(Self { direction, sharpness })
     }
 
-    /// The Gaussian with the variance of a uniform disc of this angular radius: $\lambda = 4/r^2$.
+    /// The Gaussian with the variance of a uniform disk of this angular radius: $\lambda = 4/r^2$.
     ///
     /// # Errors
     /// [`Error::Direction`] as [`SphericalGaussian::new`]; [`Error::Radius`] unless the radius lies in $[2 \cdot
@@ -106,7 +106,7 @@ impl<R: Real> SphericalGaussian<R> {
     /// The kernel on the slope plane for a viewer along `wo`: $\Sigma = \frac{1}{\lambda} J J^T$, J the derivative
     /// of the half vector's slope by the light's direction.
     ///
-    /// Zero where the half vector is not above the surface. Combine it with the pixel's: [`Kernel::then`].
+    /// Zero where the half vector is not above the surface. Combine it with the pixel's: [`Kernel::add`].
     ///
     /// Source: Tokuyoshi et al. 2024, here in slope space.
     ///
@@ -151,7 +151,7 @@ impl<R: Real> SphericalGaussian<R> {
     /// WGSL: `lobe_spherical_gaussian_footprint`.
     #[inline]
     pub fn footprint(&self, wo: impl Into<[R; 3]>) -> Footprint<R> {
-        let [u, v] = self.tangents().map(|half| Motion { half, ..Motion::default() });
+        let [u, v] = self.tangents().map(|half_vector| Motion { half_vector, ..Motion::default() });
         Footprint::from_motion(self.sum(wo.into()), &u, &v).unwrap_or_default()
     }
 

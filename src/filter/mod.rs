@@ -6,29 +6,23 @@
 //! - Polygons average its density exactly: [`Ndf::parallelogram_mean`](crate::Ndf::parallelogram_mean),
 //!   [`Ndf::brdf_over`](crate::Ndf::brdf_over).
 //! - Before the light is known, roughness is filtered by the normal's change: `*_deferred_alpha`.
-//! - What papers and engines have, to reproduce and to compare: `kaplanyan_*`, [`preset`].
+//! - What papers and engines have, to reproduce and to compare: `kaplanyan_*`, [`engine`].
 
 mod beckmann;
 mod deferred;
-mod edges;
-mod frame;
+#[cfg(feature = "published")]
+pub mod engine;
 mod gaussian;
 mod groove;
+#[cfg(feature = "published")]
+mod kaplanyan;
 mod kernel;
 #[cfg(feature = "published")]
 mod length;
 mod light;
 mod polygon;
-#[cfg(feature = "published")]
-pub mod preset;
 mod projected;
 mod proxy;
-#[cfg(feature = "published")]
-mod published;
-mod secant;
-mod segment;
-mod strip;
-mod thin;
 
 pub use beckmann::beckmann_rectangle_mean;
 pub use deferred::{
@@ -36,6 +30,10 @@ pub use deferred::{
     quad_normal_footprint, tokuyoshi_deferred_alpha, tokuyoshi_kaplanyan_deferred_alpha,
 };
 pub use gaussian::ggx_gaussian_mean;
+#[cfg(feature = "published")]
+pub use kaplanyan::{
+    kaplanyan_proxy_alpha, kaplanyan_rectangle_mean, kaplanyan_rectangle_mean_as_printed,
+};
 pub use kernel::{Kernel, PixelFilter};
 #[cfg(feature = "published")]
 pub use length::{
@@ -45,7 +43,3 @@ pub use length::{
 pub use light::SphericalGaussian;
 pub use projected::{DiskKernel, projected_alpha};
 pub use proxy::{box_peak_alpha, gaussian_peak_alpha};
-#[cfg(feature = "published")]
-pub use published::{
-    kaplanyan_proxy_alpha, kaplanyan_rectangle_mean, kaplanyan_rectangle_mean_as_printed,
-};

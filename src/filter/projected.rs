@@ -1,6 +1,6 @@
 //! Filtering on the projected disk, where GGX is the same distribution again.
 //!
-//! Floor 3. As $m_z^2 = 1 - |m_{xy}|^2$, D of a centred GGX is $\frac{1}{\pi \sqrt{\det A}\,(1 + m_{xy}^T A_\perp^{-1}
+//! Layer 3. As $m_z^2 = 1 - |m_{xy}|^2$, D of a centered GGX is $\frac{1}{\pi \sqrt{\det A}\,(1 + m_{xy}^T A_\perp^{-1}
 //! m_{xy})^2}$ with $A_\perp = (A^{-1} - I)^{-1}$: on the disk of $(h_x, h_y)$ it is a GGX of roughness $A_\perp$.
 //! Kernels of half vectors have a bound there, and widened roughness stays below 1 by itself.
 
@@ -8,6 +8,7 @@ use super::kernel::{Kernel, PixelFilter};
 use crate::error::Error;
 use crate::scalar::{Eigen, Psd, Real};
 use crate::slope::{Footprint, Roughness};
+use core::ops::Add;
 
 /// A Gaussian kernel on the projected disk: a covariance of $(h_x, h_y)$ of the unit half vector.
 ///
@@ -18,7 +19,7 @@ use crate::slope::{Footprint, Roughness};
 /// use lobe::{PixelFilter, Roughness, filter::DiskKernel};
 /// let kernel = DiskKernel::of([0.1_f64, 0.0], [0.05, 0.1], PixelFilter::TOKUYOSHI_KAPLANYAN);
 /// let widened = Roughness::from_alpha(0.9)?.widened_on_disk(&kernel);
-/// assert!(widened.alphas().x > 0.9 && widened.alphas().x < 1.0);
+/// assert!(widened.alphas().major > 0.9 && widened.alphas().major < 1.0);
 /// # Ok::<(), lobe::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -70,14 +71,6 @@ impl<R: Real> DiskKernel<R> {
         self.as_slopes.covariance()
     }
 
-    /// Two kernels one after the other: covariances add.
-    ///
-    /// WGSL: `lobe_disk_kernel_then`.
-    #[must_use]
-    pub fn then(&self, other: &Self) -> Self {
-        Self { as_slopes: self.as_slopes.then(&other.as_slopes) }
-    }
-
     /// The kernel with the alpha^2 that it adds limited to `limit` along each axis, as [`Kernel::capped`].
     ///
     /// WGSL: `lobe_disk_kernel_capped`.
@@ -108,8 +101,44 @@ impl<R: Real> DiskKernel<R> {
     }
 }
 
+impl<R: Real> Add for DiskKernel<R> {
+    type Output = Self;
+
+    /// Two kernels one after the other: covariances add.
+    ///
+    /// WGSL: `lobe_disk_kernel_add`.
+    fn add(self, other: Self) -> Self {
+        Self { as_slopes: self.as_slopes + other.as_slopes }
+    }
+}
+
+impl<R: Real> Kernel<R> {
+    /// Tokuyoshi's kernel for forward shading, from derivatives of $(h_x, h_y)$ of the unit half vector used in
+    /// slope space as they are, under [`PixelFilter::KAPLANYAN`].
+    ///
+    /// A deliberate narrowing at grazing half vectors, where quad differences are noise
+    /// ([`Footprint::from_disk_narrowed`]).
+    ///
+    /// Source: Tokuyoshi 2017, Eq. 2, 3 and 7, Listing 1.
+    ///
+    /// ```
+    /// use lobe::{Kernel, Roughness};
+    /// let kernel = Kernel::tokuyoshi_forward([0.1_f64, 0.0], [0.0, 0.2]);
+    /// let widened = Roughness::from_alpha(0.1)?.widened(&kernel);
+    /// // alpha^2 + 2 * 0.25 * derivative^2, per axis.
+    /// assert!((widened.alphas().major.powi(2) - (0.01 + 0.02)).abs() < 1e-15);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: `lobe_kernel_tokuyoshi_forward`.
+    #[inline]
+    pub fn tokuyoshi_forward(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Self {
+        DiskKernel::of(u, v, PixelFilter::KAPLANYAN).as_slopes()
+    }
+}
+
 impl<R: Real> Roughness<R> {
-    /// The roughness of a centred GGX under a Gaussian kernel on the projected disk.
+    /// The roughness of a centered GGX under a Gaussian kernel on the projected disk.
     ///
     /// $A_\perp' = A_\perp + K$ with $K = 2\Sigma_K$, back by $A' = (A_\perp' + \det A_\perp'\, I)/(1 + \mathrm{tr}
     /// A_\perp' + \det A_\perp')$: no inverse, and eigenvalues below 1 stay there without a clamp. Variance addition on the
@@ -136,7 +165,7 @@ impl<R: Real> Roughness<R> {
     #[must_use]
     #[inline]
     pub fn widened_on_disk(&self, kernel: &DiskKernel<R>) -> Self {
-        let added = bounded(kernel.covariance().scaled(R::TWO));
+        let added = bounded(kernel.covariance() * R::TWO);
         let matrix = self.matrix();
         // det (I - A), as the product of 1 - a; both factors may be negative.
         let complement = R::ONE - matrix.trace() + matrix.det();
@@ -147,7 +176,7 @@ impl<R: Real> Roughness<R> {
         let eigen = matrix.eigen();
         let Eigen { major, minor, axis: [cos, sin] } = eigen;
         if major < R::ONE {
-            return Self::from_matrix(from_disk(&to_disk(eigen).plus(&added)));
+            return Self::from_matrix(from_disk(&(to_disk(eigen) + added)));
         }
         if !(minor < R::ONE) {
             return *self;
@@ -235,5 +264,5 @@ fn from_disk<R: Real>(projected: &Psd<R>) -> Psd<R> {
 /// The matrix shrunk in proportion to a trace of at most $10^9$, whose square f32 has.
 #[inline(always)]
 fn bounded<R: Real>(matrix: Psd<R>) -> Psd<R> {
-    matrix.scaled(R::LARGEST / matrix.trace().max(R::LARGEST))
+    matrix * (R::LARGEST / matrix.trace().max(R::LARGEST))
 }

@@ -1,6 +1,6 @@
 //! Proxies: a GGX again, as bright at its peak as GGX under a pixel really is.
 //!
-//! Floor 3. Variance addition ([`Roughness::widened`]) is 8 to 24 % too bright at the peak, Kaplanyan's Eq. 20 as it
+//! Layer 3. Variance addition ([`Roughness::widened`]) is 8 to 24 % too bright at the peak, Kaplanyan's Eq. 20 as it
 //! is used ([`kaplanyan_proxy_alpha`](super::kaplanyan_proxy_alpha)) up to 3.1 times too dark. These have
 //! the peak right. No proxy has the tail right: it decays from the widened alpha, where the filtered lobe keeps
 //! $\alpha^2/(\pi s^4)$.
@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::ndf::Ggx;
 use crate::scalar::expint::reciprocal_e2_tail;
 use crate::scalar::{Psd, Real};
-use crate::slope::{Footprint, Full, Lobe, Roughness, Shape};
+use crate::slope::{Anisotropic, Footprint, Lobe, LobeShape, Roughness};
 
 /// alpha of the GGX with the peak of GGX averaged over a square: Kaplanyan's Eq. 20, re-derived.
 ///
@@ -58,7 +58,7 @@ pub fn box_peak_alpha<R: Real>(alpha: R, width: R) -> Result<R, Error> {
 /// $\alpha'^2 = k / (1 - x e^x E_1(x))$ with $k = 2\sigma^2$, $x = \alpha^2/k$: $\alpha^2 + 2k$ for small k, $k$ for
 /// large. Computed as $\alpha^2 + k g(x)$, $1 < g \le 2$: 1e-6 in f32, 1e-15 in f64.
 ///
-/// Source: derived here from the mixture of [`ggx_gaussian_mean`] at the lobe's centre.
+/// Source: derived here from the mixture of [`ggx_gaussian_mean`] at the lobe's center.
 ///
 /// # Errors
 /// [`Error::Alpha`], [`Error::Sigma`] outside $[0, 10^9]$.
@@ -175,15 +175,15 @@ impl<R: Real> Roughness<R> {
     /// use lobe::{Footprint, Kernel, PixelFilter, Roughness, filter::gaussian_peak_alpha};
     /// let kernel = Kernel::of(&Footprint::rectangle([0.2_f64, 0.2]), PixelFilter::KAPLANYAN);
     /// let matched = Roughness::from_alpha(0.1)?.peak_matched(&kernel);
-    /// assert!((matched.alphas().x / gaussian_peak_alpha(0.1, 0.1)? - 1.0).abs() < 1e-9);
+    /// assert!((matched.alphas().major / gaussian_peak_alpha(0.1, 0.1)? - 1.0).abs() < 1e-9);
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
     /// WGSL: `lobe_roughness_peak_matched`.
     #[must_use]
     pub fn peak_matched(&self, kernel: &Kernel<R>) -> Self {
-        let peak = ggx_gaussian_mean(&Lobe::centred(*self), [R::ZERO; 2], kernel);
-        self.with_peak(&kernel.covariance().scaled(R::TWO), peak, [1.0, 2.0])
+        let peak = ggx_gaussian_mean(&Lobe::centered(*self), [R::ZERO; 2], kernel);
+        self.with_peak(&(kernel.covariance() * R::TWO), peak, [1.0, 2.0])
     }
 
     /// The same by a fit without transcendental functions: the peak is within 1.32 % for any A and kernel; where both
@@ -206,18 +206,18 @@ impl<R: Real> Roughness<R> {
     #[must_use]
     #[inline]
     pub fn peak_fitted(&self, kernel: &Kernel<R>) -> Self {
-        let added = kernel.covariance().scaled(R::TWO);
+        let added = kernel.covariance() * R::TWO;
         let whitened = Whitened::of(&self.matrix(), &added);
         let factor = whitened.map_or_else(
             || mirror_factor(&self.matrix(), &added),
             |whitened| whitened.fitted_factor(),
         );
-        self.plus(&Self::from_matrix(added.scaled(factor)))
+        *self + Self::from_matrix(added * factor)
     }
 
     /// The roughness $A + t (u u^T + v v^T)$ with the exact peak of GGX averaged over the footprint.
     ///
-    /// By [`Ndf::parallelogram_mean`](crate::Ndf::parallelogram_mean) at the centre. For isotropic A and a square it
+    /// By [`Ndf::parallelogram_mean`](crate::Ndf::parallelogram_mean) at the center. For isotropic A and a square it
     /// is [`box_peak_alpha`]; t is 1/3 for small footprints, $1/\pi$ for large areas, $4/\pi^2$ for long lines, down to
     /// $2/\pi^2$ where both sides lie along one line. A mirror gets $1/\pi$, and so does a groove over a line along it.
     ///
@@ -225,7 +225,7 @@ impl<R: Real> Roughness<R> {
     /// use lobe::{Footprint, Ggx, Roughness, filter::box_peak_alpha};
     /// let square = Footprint::rectangle([0.3_f64, 0.3]);
     /// let matched = Roughness::from_alpha(0.1)?.peak_matched_over(&square);
-    /// assert!((matched.alphas().x / box_peak_alpha(0.1, 0.3)? - 1.0).abs() < 1e-9);
+    /// assert!((matched.alphas().major / box_peak_alpha(0.1, 0.3)? - 1.0).abs() < 1e-9);
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
@@ -234,11 +234,10 @@ impl<R: Real> Roughness<R> {
     pub fn peak_matched_over(&self, footprint: &Footprint<R>) -> Self {
         let footprint = footprint.bounded();
         let kernel = Psd::outer_sum(footprint.u, footprint.v);
-        let peak = Ggx::new(Full::new(*self)).parallelogram_mean([R::ZERO; 2], &footprint);
+        let peak = Ggx::new(Anisotropic::new(*self)).parallelogram_mean([R::ZERO; 2], &footprint);
         if !(peak > R::ZERO) {
             // A mirror over no area, or a groove over a line along it: the peak has no end.
-            return self
-                .plus(&Self::from_matrix(kernel.scaled(R::lit(core::f64::consts::FRAC_1_PI))));
+            return *self + Self::from_matrix(kernel * R::lit(core::f64::consts::FRAC_1_PI));
         }
         self.with_peak(&kernel, peak, [0.2, 0.41])
     }
@@ -246,7 +245,7 @@ impl<R: Real> Roughness<R> {
     /// $A + t K$ with this peak; t is known to lie in a range, which rounding may leave for small kernels.
     fn with_peak(&self, kernel: &Psd<R>, peak: R, [least, most]: [f64; 2]) -> Self {
         let matrix = self.matrix();
-        let root_det = Full::new(*self).root_det();
+        let root_det = Anisotropic::new(*self).root_det();
         // The peak of a lobe under a very wide kernel underflows: it must not become a divisor of 0.
         let least_peak = R::MIN_POSITIVE;
         let factor = if let Some(whitened) = Whitened::of(&matrix, kernel) {
@@ -261,6 +260,6 @@ impl<R: Real> Roughness<R> {
         } else {
             R::lit(least)
         };
-        self.plus(&Self::from_matrix(kernel.scaled(factor)))
+        *self + Self::from_matrix(*kernel * factor)
     }
 }

@@ -1,6 +1,6 @@
 //! Fresnel reflectance: Schlick's approximation and the exact term of a conductor, in three channels.
 //!
-//! Floor 4. The lobe's functions leave it out, as engines bring their own; the facade needs one.
+//! Layer 4. The lobe's functions leave it out, as engines bring their own; the facade needs one.
 
 use crate::error::Error;
 use crate::scalar::Real;
@@ -59,7 +59,7 @@ impl<R: Real> Fresnel<R> {
         }
     }
 
-    /// The exact unpolarised term of an interface with complex index `eta + i k`, relative to the outside;
+    /// The exact unpolarized term of an interface with complex index `eta + i k`, relative to the outside;
     /// `k = 0` is a dielectric seen from outside, or from inside if `eta < 1`.
     ///
     /// With $a + i b = \sqrt{(\eta + i k)^2 - \sin^2\theta}$:
@@ -109,7 +109,7 @@ impl<R: Real> Fresnel<R> {
     }
 }
 
-/// The unpolarised reflectance of one channel.
+/// The unpolarized reflectance of one channel.
 #[inline]
 fn conductor<R: Real>(eta: R, k: R, cos: R) -> R {
     let sin2 = (R::ONE - cos) * (R::ONE + cos);

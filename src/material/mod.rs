@@ -1,5 +1,7 @@
 //! Materials: normal and displacement maps as lobes, and what a facade multiplies a lobe by.
 
+#[cfg(feature = "glint")]
+pub mod cells;
 mod fresnel;
 #[cfg(feature = "glint")]
 pub mod glint;

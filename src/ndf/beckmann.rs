@@ -1,10 +1,10 @@
 //! Beckmann: $P_{22} = e^{-q}/(\pi \sqrt{\det A})$, Gaussian slopes.
 //!
-//! Floor 2. Beckmann & Spizzichino 1963; Walter et al. 2007; any A and mean: Heitz 2014, LEADR.
+//! Layer 2. Beckmann & Spizzichino 1963; Walter et al. 2007; any A and mean: Heitz 2014, LEADR.
 
 use super::distribution::{Distribution, Ndf};
 use crate::scalar::Real;
-use crate::slope::Shape;
+use crate::slope::LobeShape;
 
 /// The scalar functions of Beckmann; see [`Beckmann`](crate::Beckmann).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +34,7 @@ impl Distribution for BeckmannDistribution {
     }
 }
 
-impl<S: Shape> Ndf<BeckmannDistribution, S> {
+impl<S: LobeShape> Ndf<BeckmannDistribution, S> {
     /// Walter's rational fit of Beckmann's Lambda, for comparison and for copying shaders.
     ///
     /// $\Lambda \approx \frac{1 - 1.259 v + 0.396 v^2}{3.535 v + 2.181 v^2}$ for $v = c/a < 1.6$, else 0.

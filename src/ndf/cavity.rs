@@ -1,6 +1,6 @@
 //! Masking of V-shaped cavities: a function of the facet, not of the distribution.
 //!
-//! Floor 2. Smith's masking needs the projected area of the whole distribution; this one is exact for every distribution of
+//! Layer 2. Smith's masking needs the projected area of the whole distribution; this one is exact for every distribution of
 //! slopes that is even, however many lobes it has.
 
 use crate::scalar::Real;

@@ -1,11 +1,11 @@
 //! What a distribution owes: its density and its projected area, each of a few scalars.
 //!
-//! Floor 2. Everything else (D, Lambda, G1, G2, visibility, the BRDF; centred or tilted, any
+//! Layer 2. Everything else (D, Lambda, G1, G2, visibility, the BRDF; centered or tilted, any
 //! anisotropy) is derived once, here and in masking.rs.
 
 use crate::scalar::Real;
 use crate::scalar::exact::two_sum;
-use crate::slope::Shape;
+use crate::slope::LobeShape;
 use core::marker::PhantomData;
 
 mod sealed {
@@ -16,11 +16,11 @@ mod sealed {
 
 /// The two scalar functions that make a distribution; sealed.
 pub trait Distribution: sealed::Sealed + Copy {
-    /// `weight` times $\pi P_{22}(s)\, \ell^4/z^4$ of a direction of height `z` whose [`Shape::form`] is `form`,
+    /// `weight` times $\pi P_{22}(s)\, \ell^4/z^4$ of a direction of height `z` whose [`LobeShape::form`] is `form`,
     /// with `length_squared` = $\ell^2$.
     ///
     /// The density is homogeneous of degree 0 in form (2), z (1) and length, so that a half vector need not
-    /// be normalised. The weight is a factor within: a density below the range of f32 times a visibility
+    /// be normalized. The weight is a factor within: a density below the range of f32 times a visibility
     /// above 1 need not be. Of a mirror, whose `root_det` is 0, it is 0 or NaN: callers drop NaN.
     ///
     /// WGSL: `lobe_ggx_density`, `lobe_beckmann_density`.
@@ -48,7 +48,7 @@ fn inverse_pi<R: Real>() -> R {
     R::lit(core::f64::consts::FRAC_1_PI)
 }
 
-/// A distribution of normals: a [`Distribution`] over a [`Shape`].
+/// A distribution of normals: a [`Distribution`] over a [`LobeShape`].
 ///
 /// Use it through [`Beckmann`](crate::Beckmann) and [`Ggx`](crate::Ggx). All methods are total: below
 /// the horizon of the mean plane, and for a mirror, densities are 0. Finite input in the documented
@@ -59,7 +59,7 @@ pub struct Ndf<D, S> {
     distribution: PhantomData<D>,
 }
 
-impl<D: Distribution, S: Shape> Ndf<D, S> {
+impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// The distribution over this shape.
     ///
     /// WGSL: none, functions take the shape there.
@@ -101,7 +101,7 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
 
     /// Density of normals $D(m) = P_{22}(s(m)) / m_z^4$, per solid angle.
     ///
-    /// $\int m_z D(m)\,dm = 1$. `m` is taken as given: it is not renormalised (D is then homogeneous
+    /// $\int m_z D(m)\,dm = 1$. `m` is taken as given: it is not renormalized (D is then homogeneous
     /// of degree -4). Takes the vector, never a cosine: $1 - (n \cdot h)^2$ costs 18 % at alpha = 0.001
     /// in f32. 0 for `m_z <= 0`.
     ///
@@ -125,7 +125,7 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
     /// The BRDF without Fresnel, $D(h)\, G_2 / (4 c_o c_i)$, per solid angle.
     ///
     /// $h$ is the half vector of the unit directions `wo` and `wi`, $c$ the projected area of the mean
-    /// plane (meso normalisation, LEADR; for centred lobes $c = w_z$), $G_2$ height-correlated. Multiply
+    /// plane (meso normalization, LEADR; for centered lobes $c = w_z$), $G_2$ height-correlated. Multiply
     /// by Fresnel and by $c_i$ to shade. The sum $w_o + w_i$ is carried to twice the precision for
     /// the shapes that need it. 0 if $c_o \le 0$, $c_i \le 0$ or $h$ is below the horizon; at most the largest
     /// finite number.
@@ -147,7 +147,7 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
         let (brdf, z) = self.half_density(wo, wi, weight);
         let lowest = c_o.min(c_i);
         // Directions above the surface have a half vector above it; above a tilted plane, not always.
-        let lowest = if S::CENTRED { lowest } else { lowest.min(z) };
+        let lowest = if S::CENTERED { lowest } else { lowest.min(z) };
         // A limit of 0 instead of a branch: loops over samples stay free of jumps. `max` drops the NaN of a mirror's 0/0.
         let limit = if lowest > S::Scalar::ZERO { S::Scalar::MAX } else { S::Scalar::ZERO };
         brdf.max(S::Scalar::ZERO).min(limit)
@@ -180,13 +180,13 @@ impl<D: Distribution, S: Shape> Ndf<D, S> {
     /// use lobe::{Beckmann, Isotropic};
     /// let ndf = Beckmann::new(Isotropic::new(0.3_f64)?);
     /// let (wo, wi) = ([0.6, 0.0, 0.8], [-0.48, 0.36, 0.8]);
-    /// assert!(ndf.unshadowed(wo, wi) > ndf.brdf(wo, wi) * wi[2]);
+    /// assert!(ndf.unshadowed_brdf_cos(wo, wi) > ndf.brdf(wo, wi) * wi[2]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
-    /// WGSL: `lobe_ggx_unshadowed`, `lobe_beckmann_unshadowed`.
+    /// WGSL: `lobe_ggx_unshadowed_brdf_cos`, `lobe_beckmann_unshadowed_brdf_cos`.
     #[inline(always)]
-    pub fn unshadowed(
+    pub fn unshadowed_brdf_cos(
         &self,
         wo: impl Into<[S::Scalar; 3]>,
         wi: impl Into<[S::Scalar; 3]>,

@@ -1,6 +1,6 @@
 //! GGX: $P_{22} = 1/(\pi \sqrt{\det A} (1 + q)^2)$, Student-t slopes with two degrees of freedom.
 //!
-//! Floor 2. Trowbridge & Reitz 1975; Walter et al. 2007; any A: Heitz 2014, any mean: LEADR.
+//! Layer 2. Trowbridge & Reitz 1975; Walter et al. 2007; any A: Heitz 2014, any mean: LEADR.
 
 use super::distribution::Distribution;
 use crate::scalar::Real;

@@ -1,14 +1,14 @@
 //! Masking and shadowing, all derived from the projected area.
 //!
-//! Floor 2. The projected area has no pole at grazing angles and holds for tilted means; Lambda, G1,
-//! G2 and visibility follow from it. Normalisation is LEADR's meso form: c(w) is the projected area
+//! Layer 2. The projected area has no pole at grazing angles and holds for tilted means; Lambda, G1,
+//! G2 and visibility follow from it. Normalization is LEADR's meso form: c(w) is the projected area
 //! of the mean plane. (The macro form, G1 = w_z / sigma, gives a negative G2 for tilted means.)
 
 use super::distribution::{Distribution, Ndf};
 use crate::scalar::Real;
-use crate::slope::Shape;
+use crate::slope::LobeShape;
 
-impl<D: Distribution, S: Shape> Ndf<D, S> {
+impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// Projected area of the microsurface, $\sigma(w) = \int \max(0, w \cdot m)\, D(m)\, dm$.
     ///
     /// GGX: $\sigma = (c + \sqrt{c^2 + a^2})/2$. Beckmann:

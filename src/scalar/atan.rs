@@ -1,6 +1,6 @@
 //! The arc tangent, of a number and of a direction.
 //!
-//! Floor 0. Selects instead of branches, for lanes and for shaders.
+//! Layer 0. Selects instead of branches, for lanes and for shaders.
 
 use super::exp::polynomial_f64;
 use super::single::Single;

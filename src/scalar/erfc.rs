@@ -1,6 +1,6 @@
 //! The complementary error function, scaled (erfcx), integrated and scaled (ierfcx), and plain.
 //!
-//! Floor 0. Selects instead of branches, for lanes and for shaders.
+//! Layer 0. Selects instead of branches, for lanes and for shaders.
 
 use super::exp::{exp_difference_f32, exp_difference_f64, polynomial_f64};
 use super::single::Single;

@@ -1,6 +1,6 @@
 //! The exponential function, by plain arithmetic in a fixed order.
 //!
-//! Floor 0. Selects instead of branches, for lanes and for shaders.
+//! Layer 0. Selects instead of branches, for lanes and for shaders.
 
 use super::single::Single;
 

@@ -1,6 +1,6 @@
 //! The exponential integral, in the one form that filters ask for.
 //!
-//! Floor 0.
+//! Layer 0.
 
 use super::Real;
 

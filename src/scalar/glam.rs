@@ -1,6 +1,6 @@
 //! glam's matrices from ours and back (feature `glam`).
 //!
-//! Floor 0.
+//! Layer 0.
 
 use super::Psd;
 use crate::error::Error;

@@ -1,6 +1,6 @@
 //! Four words from four words, by integer arithmetic alone: the same bits on every machine.
 //!
-//! Floor 0.
+//! Layer 0.
 
 use super::Real;
 

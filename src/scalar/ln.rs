@@ -1,6 +1,6 @@
 //! The natural logarithm, by plain arithmetic in a fixed order.
 //!
-//! Floor 0. Selects instead of branches, for lanes and for shaders.
+//! Layer 0. Selects instead of branches, for lanes and for shaders.
 
 use super::exp::{LN_TWO_F32, LN_TWO_F64, polynomial_f64};
 use super::single::Single;

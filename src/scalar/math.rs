@@ -1,6 +1,6 @@
 //! The three functions that come from outside: sqrt, sin and cos, by std or by libm.
 //!
-//! Floor 0. Everything else is our own polynomial, so that builds with and without std compute the same bits
+//! Layer 0. Everything else is our own polynomial, so that builds with and without std compute the same bits
 //! (sqrt is correctly rounded everywhere; sin and cos serve constructors only).
 
 #[cfg(not(any(feature = "std", feature = "libm")))]

@@ -5,6 +5,7 @@ pub(crate) mod erfc;
 pub(crate) mod exact;
 pub(crate) mod exp;
 pub(crate) mod expint;
+mod float;
 #[cfg(feature = "glam")]
 mod glam;
 #[cfg(feature = "glint")]
@@ -21,4 +22,5 @@ mod real;
 mod single;
 
 pub use psd::{Eigen, Psd};
+pub(crate) use real::Internal;
 pub use real::Real;

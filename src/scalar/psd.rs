@@ -1,12 +1,13 @@
 //! Symmetric positive semi-definite 2x2 matrices that carry the root of their determinant.
 //!
-//! Floor 0. A covariance near rank one loses its determinant in its entries: alpha = 1e-4 under a
+//! Layer 0. A covariance near rank one loses its determinant in its entries: alpha = 1e-4 under a
 //! kernel of size 1 leaves nothing of the minor axis in f32. Every operation here that knows the
 //! determinant better than the rounded entries do (axes, outer products, sums) carries it along.
 
 use super::Real;
 use super::exact::{cross, difference_of_products, sum_of_products};
 use crate::error::Error;
+use core::ops::{Add, Mul};
 
 /// A symmetric positive semi-definite matrix `[[xx, xy], [xy, yy]]`: a roughness or a covariance.
 ///
@@ -179,39 +180,6 @@ impl<R: Real> Psd<R> {
         !(least >= R::MIN_POSITIVE)
     }
 
-    /// The matrix times a factor; a negative one counts as 0.
-    ///
-    /// WGSL: `lobe_psd_scaled`.
-    #[must_use]
-    #[inline]
-    pub fn scaled(&self, factor: R) -> Self {
-        let factor = factor.max(R::ZERO);
-        Self {
-            xx: self.xx * factor,
-            xy: self.xy * factor,
-            yy: self.yy * factor,
-            root_det: self.root_det * factor,
-        }
-    }
-
-    /// The sum of two matrices.
-    ///
-    /// $\det(A + B) = \det A + \mathrm{tr}(\mathrm{adj}(A)\, B) + \det B$, every term non-negative:
-    /// nothing cancels when a small round lobe meets a long thin kernel.
-    ///
-    /// WGSL: `lobe_psd_plus`.
-    #[must_use]
-    #[inline]
-    pub fn plus(&self, other: &Self) -> Self {
-        let det = self.det() + self.mixed_det(other) + other.det();
-        Self {
-            xx: self.xx + other.xx,
-            xy: self.xy + other.xy,
-            yy: self.yy + other.yy,
-            root_det: det.sqrt(),
-        }
-    }
-
     /// $\mathrm{tr}(\mathrm{adj}(A)\, B)$ as a sum of squares: with `u = a_xx b_xy - a_xy b_xx`,
     /// $(u^2 + \det A\, b_{xx}^2 + \det B\, a_{xx}^2) / (a_{xx} b_{xx})$.
     #[inline]
@@ -281,6 +249,45 @@ impl<R: Real> Psd<R> {
             return *self;
         }
         Self::from_axes(limit.sqrt(), minor.min(limit).sqrt(), cos, sin)
+    }
+}
+
+impl<R: Real> Mul<R> for Psd<R> {
+    type Output = Self;
+
+    /// The matrix times a factor; a negative one counts as 0.
+    ///
+    /// WGSL: `lobe_psd_mul`.
+    #[inline]
+    fn mul(self, factor: R) -> Self {
+        let factor = factor.max(R::ZERO);
+        Self {
+            xx: self.xx * factor,
+            xy: self.xy * factor,
+            yy: self.yy * factor,
+            root_det: self.root_det * factor,
+        }
+    }
+}
+
+impl<R: Real> Add for Psd<R> {
+    type Output = Self;
+
+    /// The sum of two matrices.
+    ///
+    /// $\det(A + B) = \det A + \mathrm{tr}(\mathrm{adj}(A)\, B) + \det B$, every term non-negative:
+    /// nothing cancels when a small round lobe meets a long thin kernel.
+    ///
+    /// WGSL: `lobe_psd_add`.
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let det = self.det() + self.mixed_det(&other) + other.det();
+        Self {
+            xx: self.xx + other.xx,
+            xy: self.xy + other.xy,
+            yy: self.yy + other.yy,
+            root_det: det.sqrt(),
+        }
     }
 }
 

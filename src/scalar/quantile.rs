@@ -1,6 +1,6 @@
 //! Quantiles of the standard normal distribution.
 //!
-//! Floor 0. One polynomial and one logarithm, without branches.
+//! Layer 0. One polynomial and one logarithm, without branches.
 
 use super::Real;
 

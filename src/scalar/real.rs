@@ -1,17 +1,10 @@
 //! The one trait over f32 and f64 that every formula is written in.
 //!
-//! Floor 0. Sealed: the polynomials behind `exp`, `atan` and `erfc` exist for these two widths only. (The feature
+//! Layer 0. Sealed by [`Internal`]: the polynomials behind `exp`, `atan` and `erfc` exist for these two widths only. (The feature
 //! `probe` adds f32s that measure.)
 
-use super::{atan, erfc, exp, ln, math};
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
-
-pub(super) mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
-}
 
 /// A floating-point precision: `f32` for engines, `f64` for offline renderers and as reference.
 ///
@@ -28,8 +21,7 @@ pub(super) mod sealed {
 /// assert_eq!(f64::lit(0.1).exp(), 0.1_f64.exp());
 /// ```
 pub trait Real:
-    sealed::Sealed
-    + Copy
+    Internal
     + PartialOrd
     + Default
     + Debug
@@ -59,8 +51,6 @@ pub trait Real:
     const MIN_POSITIVE: Self;
     /// Largest finite number.
     const MAX: Self;
-    /// True for f32, whose quadratures need fewer nodes.
-    const SINGLE: bool;
     /// $10^9$, the largest alpha, deviation, slope and variance that constructors accept, in both
     /// precisions: fourth powers of it are still f32.
     const LARGEST: Self;
@@ -102,20 +92,6 @@ pub trait Real:
     fn is_finite(self) -> bool {
         self.abs() <= Self::MAX
     }
-    /// True in $[0, 10^9]$: the range of alphas, deviations and variances.
-    ///
-    /// WGSL: none, constructors clamp there.
-    #[inline(always)]
-    fn is_magnitude(self) -> bool {
-        self >= Self::ZERO && self <= Self::LARGEST
-    }
-    /// True in $[-10^9, 10^9]$: the range of slopes.
-    ///
-    /// WGSL: none, constructors clamp there.
-    #[inline(always)]
-    fn is_slope(self) -> bool {
-        self.abs() <= Self::LARGEST
-    }
     /// Sine and cosine (for constructors: computed in f64, then rounded).
     ///
     /// WGSL: none, a builtin may miss by 2^-11 there; only constructors use them.
@@ -149,46 +125,66 @@ pub trait Real:
     ///
     /// WGSL: `lobe_ierfcx`.
     fn ierfcx(self) -> Self;
+}
+
+/// What formulas ask of a precision beside [`Real`], which it seals: no name outside of this crate reaches it.
+pub trait Internal: Copy {
+    /// True for f32, whose quadratures need fewer nodes.
+    const SINGLE: bool;
     /// The angle of [`Real::atan2`] for `self >= 0`, not both 0, in $[0, \pi]$.
-    #[doc(hidden)]
     fn upper_angle(self, x: Self) -> Self;
     /// $\arctan x - x/(1 + x^2)$ on \[0, 1\], without the cancellation of that difference.
-    #[doc(hidden)]
     fn atan_excess(self) -> Self;
     /// The upper half of the significand, the lower half set to zero; what is left, `self - upper`,
     /// is exact, and products of upper halves are exact.
-    #[doc(hidden)]
     fn upper_half(self) -> Self;
     /// The largest whole number not above this, within $\pm 2^{30}$; 0 for NaN (`lobe_floor` in WGSL).
-    #[doc(hidden)]
     #[inline(always)]
-    fn floor(self) -> i32 {
+    fn floor(self) -> i32
+    where
+        Self: Real,
+    {
         floor_of(self.to_f64())
     }
     /// $\lfloor \log_2 x \rfloor$ of a positive normal number (`lobe_exponent` in WGSL).
-    #[doc(hidden)]
     fn exponent(self) -> i32;
     /// $2^k$ for `k` from -126 to 126 (`lobe_power_of_two` in WGSL).
-    #[doc(hidden)]
     #[inline(always)]
-    fn power_of_two(k: i32) -> Self {
+    fn power_of_two(k: i32) -> Self
+    where
+        Self: Real,
+    {
         Self::lit(f64::from_bits(u64::from((k + 1023).unsigned_abs()) << 52))
     }
     /// This value as it was rounded: on a GPU no compiler may fold or fuse it away (`lobe_kept` in WGSL).
-    #[doc(hidden)]
     #[inline(always)]
     fn kept(self) -> Self {
         self
     }
     /// A rounded sum or product, and what rounding left of it: the two together are exact.
-    #[doc(hidden)]
     #[inline(always)]
     fn with_rest(self, rest: Self) -> (Self, Self) {
         (self, rest)
     }
+    /// True in $[0, 10^9]$: the range of alphas, deviations and variances.
+    #[inline(always)]
+    fn is_magnitude(self) -> bool
+    where
+        Self: Real,
+    {
+        self >= Self::ZERO && self <= Self::LARGEST
+    }
+    /// True in $[-10^9, 10^9]$: the range of slopes.
+    #[inline(always)]
+    fn is_slope(self) -> bool
+    where
+        Self: Real,
+    {
+        self.abs() <= Self::LARGEST
+    }
 }
 
-/// [`Real::floor`], of any precision.
+/// [`Internal::floor`], of any precision.
 #[inline(always)]
 fn floor_of(x: f64) -> i32 {
     const LIMIT: f64 = (1_i32 << 30) as f64;
@@ -197,123 +193,3 @@ fn floor_of(x: f64) -> i32 {
     let cut = bounded as i32;
     if f64::from(cut) > bounded { cut - 1 } else { cut }
 }
-
-macro_rules! impl_real {
-    ($t:ident, $single:literal, $mask:literal, $fraction:literal, $bias:literal, $sqrt:ident, $exp:ident, $ln:ident, $atan:ident, $atan2:ident,
-     $upper_angle:ident, $atan_excess:ident, $erfc:ident, $erfcx:ident, $ierfcx:ident) => {
-        impl Real for $t {
-            const ZERO: Self = 0.0;
-            const HALF: Self = 0.5;
-            const ONE: Self = 1.0;
-            const TWO: Self = 2.0;
-            const PI: Self = core::$t::consts::PI;
-            const EPSILON: Self = $t::EPSILON;
-            const MIN_POSITIVE: Self = $t::MIN_POSITIVE;
-            const MAX: Self = $t::MAX;
-            const SINGLE: bool = $single;
-            const LARGEST: Self = 1e9;
-
-            #[inline(always)]
-            fn lit(x: f64) -> Self {
-                x as $t
-            }
-            #[inline(always)]
-            fn to_f64(self) -> f64 {
-                f64::from(self)
-            }
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                math::$sqrt(self)
-            }
-            #[inline(always)]
-            fn abs(self) -> Self {
-                $t::abs(self)
-            }
-            #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                let (sin, cos) = math::sin_cos(self.to_f64());
-                (sin as $t, cos as $t)
-            }
-            #[inline(always)]
-            fn exp(self) -> Self {
-                exp::$exp(self)
-            }
-            #[inline(always)]
-            fn ln(self) -> Self {
-                ln::$ln(self)
-            }
-            #[inline(always)]
-            fn atan(self) -> Self {
-                atan::$atan(self)
-            }
-            #[inline(always)]
-            fn atan2(self, x: Self) -> Self {
-                atan::$atan2(self, x)
-            }
-            #[inline(always)]
-            fn upper_angle(self, x: Self) -> Self {
-                atan::$upper_angle(self, x)
-            }
-            #[inline(always)]
-            fn atan_excess(self) -> Self {
-                atan::$atan_excess(self)
-            }
-            #[inline(always)]
-            fn erfc(self) -> Self {
-                erfc::$erfc(self)
-            }
-            #[inline(always)]
-            fn erfcx(self) -> Self {
-                erfc::$erfcx(self)
-            }
-            #[inline(always)]
-            fn ierfcx(self) -> Self {
-                erfc::$ierfcx(self)
-            }
-            #[inline(always)]
-            fn upper_half(self) -> Self {
-                $t::from_bits(self.to_bits() & $mask)
-            }
-            #[inline(always)]
-            #[allow(clippy::cast_possible_wrap, reason = "of a positive number: a few bits")]
-            fn exponent(self) -> i32 {
-                (self.to_bits() >> $fraction) as i32 - $bias
-            }
-        }
-    };
-}
-
-impl_real!(
-    f32,
-    true,
-    0xFFFF_F000,
-    23,
-    127,
-    sqrt_f32,
-    exp_f32,
-    ln_f32,
-    atan_f32,
-    atan2_f32,
-    upper_angle_f32,
-    atan_excess_f32,
-    erfc_f32,
-    erfcx_f32,
-    ierfcx_f32
-);
-impl_real!(
-    f64,
-    false,
-    0xFFFF_FFFF_F800_0000,
-    52,
-    1023,
-    sqrt_f64,
-    exp_f64,
-    ln_f64,
-    atan_f64,
-    atan2_f64,
-    upper_angle_f64,
-    atan_excess_f64,
-    erfc_f64,
-    erfcx_f64,
-    ierfcx_f64
-);

@@ -1,19 +1,21 @@
 //! The facade for glints: bake a glittering material under a pixel, then evaluate it for any number of lights.
 //!
-//! Floor 5.
+//! Layer 5.
 
-use super::colour;
+use super::material::color;
 use crate::filter::Kernel;
 use crate::material::Fresnel;
-use crate::material::glint::{GlintLobe, Glints, Patch, light_blur};
+use crate::material::cells::Patch;
+use crate::material::glint::{GlintNdf, Glints, light_blur};
 use crate::scalar::Real;
 use crate::slope::direction::half_vector;
-use crate::slope::{Shape, SlopeMoments};
+use crate::slope::{LobeShape, SlopeMoments};
 
 /// Glints with a Fresnel term.
 ///
 /// ```
-/// use lobe::material::glint::{Biscale, Glints, Patch};
+/// use lobe::material::cells::Patch;
+/// use lobe::material::glint::{Biscale, Glints};
 /// use lobe::{Kernel, SlopeMoments, material::Fresnel, shade::GlintMaterial};
 ///
 /// let details = Biscale::from_fractions([0.4_f32, 0.4], [0.05, 0.05])?;
@@ -39,7 +41,7 @@ impl<R: Real> GlintMaterial<R> {
     ///
     /// Zero moments and a zero kernel leave the material as it is.
     ///
-    /// WGSL: none, `lobe_glints_lobe`, `lobe_glint_lobe_over` and `lobe_glint_lobe_widened` there.
+    /// WGSL: none, `lobe_glints_ndf`, `lobe_glint_ndf_over` and `lobe_glint_ndf_widened` there.
     #[inline]
     pub fn bake(
         &self,
@@ -47,24 +49,24 @@ impl<R: Real> GlintMaterial<R> {
         moments: &SlopeMoments<R>,
         kernel: &Kernel<R>,
     ) -> GlintShading<R> {
-        let lobe = self.glints.lobe(patch).over(moments).widened(kernel);
-        GlintShading { lobe, fresnel: self.fresnel }
+        let ndf = self.glints.ndf(patch).over(moments).widened(kernel);
+        GlintShading { ndf, fresnel: self.fresnel }
     }
 }
 
 /// A baked glittering material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GlintShading<R: Real> {
-    lobe: GlintLobe<R>,
+    ndf: GlintNdf<R>,
     fresnel: Fresnel<R>,
 }
 
 impl<R: Real> GlintShading<R> {
-    /// The lobe underneath.
+    /// The density under the pixel.
     ///
     /// WGSL: none, an argument there.
-    pub fn lobe(&self) -> &GlintLobe<R> {
-        &self.lobe
+    pub fn ndf(&self) -> &GlintNdf<R> {
+        &self.ndf
     }
 
     /// Radiance towards `wo` per unit of radiance and solid angle from `wi`, where a light appears with this radius in
@@ -74,28 +76,29 @@ impl<R: Real> GlintShading<R> {
     #[inline]
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>, radius: R) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
-        let brdf = self.lobe.brdf(wo, wi, radius);
-        colour(&self.fresnel, brdf, self.lobe.ndf().shape().mean_area(wi), wo, wi)
+        let brdf = self.ndf.brdf(wo, wi, radius);
+        color(&self.fresnel, brdf, self.ndf.smooth().shape().mean_area(wi), wo, wi)
     }
 
-    /// The same with a colour for each cell: [`GlintLobe::coloured_sparkle`].
+    /// The same with a color for each cell: [`GlintNdf::colored_sparkle`].
     ///
     /// ```
-    /// use lobe::material::glint::{Biscale, Glints, Patch, hue_wheel};
+    /// use lobe::material::cells::Patch;
+    /// use lobe::material::glint::{Biscale, Glints, hue_wheel};
     /// use lobe::{Kernel, SlopeMoments, material::Fresnel, shade::GlintMaterial};
     /// let details = Biscale::from_fractions([0.4_f64, 0.4], [0.2, 0.2])?;
     /// let foil = GlintMaterial { glints: Glints::new(details, 1e3)?, fresnel: Fresnel::white() };
     /// let shading = foil.bake(&Patch::default(), &SlopeMoments::default(), &Kernel::default());
     /// let (wo, wi) = ([0.6, 0.0, 0.8], [-0.6, 0.0, 0.8]);
     /// let plain = shading.evaluate(wo, wi, 0.0);
-    /// let white = shading.evaluate_coloured(wo, wi, 0.0, |_| [1.0; 3]);
+    /// let white = shading.evaluate_colored(wo, wi, 0.0, |_| [1.0; 3]);
     /// assert!((white[0] - plain[0]).abs() <= 1e-12 * plain[0]);
-    /// assert!(shading.evaluate_coloured(wo, wi, 0.0, hue_wheel).iter().all(|x| *x >= 0.0));
+    /// assert!(shading.evaluate_colored(wo, wi, 0.0, hue_wheel).iter().all(|x| *x >= 0.0));
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
-    /// WGSL: `lobe_glint_evaluate_coloured`, with the hue wheel.
-    pub fn evaluate_coloured(
+    /// WGSL: `lobe_glint_evaluate_colored`, with the hue wheel.
+    pub fn evaluate_colored(
         &self,
         wo: impl Into<[R; 3]>,
         wi: impl Into<[R; 3]>,
@@ -103,13 +106,13 @@ impl<R: Real> GlintShading<R> {
         palette: impl Fn(R) -> [R; 3],
     ) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
-        let ndf = self.lobe.ndf();
-        let smooth = colour(&self.fresnel, ndf.brdf(wo, wi), ndf.shape().mean_area(wi), wo, wi);
+        let ndf = self.ndf.smooth();
+        let smooth = color(&self.fresnel, ndf.brdf(wo, wi), ndf.shape().mean_area(wi), wo, wi);
         if !(smooth.iter().any(|x| *x > R::ZERO)) {
             return smooth;
         }
         let h = half_vector(wo, wi);
-        let sparkle = self.lobe.coloured_sparkle(h, light_blur(wo, wi, radius), palette);
+        let sparkle = self.ndf.colored_sparkle(h, light_blur(wo, wi, radius), palette);
         [0, 1, 2].map(|k| (smooth[k] * sparkle[k]).min(R::MAX))
     }
 }

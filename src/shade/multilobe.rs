@@ -1,19 +1,19 @@
 //! The facade for many lobes: bake a surface of facets under a pixel, then evaluate it for any number of lights.
 //!
-//! Floor 5.
+//! Layer 5.
 
-use super::colour;
+use super::material::color;
 use crate::filter::Kernel;
 use crate::material::Fresnel;
-use crate::material::glint::Patch;
-use crate::material::multilobe::{Dictionary, MultiLobe, PatchLobe, Sampled};
+use crate::material::cells::Patch;
+use crate::material::multilobe::{Dictionary, DirectionSample, MultiLobe, PatchNdf};
 use crate::scalar::Real;
 use crate::slope::{MeanFrame, SlopeMoments};
 
 /// A surface of facets with a Fresnel term.
 ///
 /// ```
-/// use lobe::material::glint::Patch;
+/// use lobe::material::cells::Patch;
 /// use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
 /// use lobe::{Kernel, Roughness, SlopeMoments, material::Fresnel, shade::MultiLobeMaterial};
 ///
@@ -41,10 +41,10 @@ impl<R: Real> MultiLobeMaterial<R> {
     /// The material as a pixel sees it: over the moments of a normal map, under the kernel of the half vector's motion.
     ///
     /// It is shaded in the frame of the map's mean, as no masking of V-cavities with another mean is known: from there the
-    /// map's covariance is seen ([`PatchLobe::over`]), and there the kernel's half vectors are to be taken, too. Zero
+    /// map's covariance is seen ([`PatchNdf::over`]), and there the kernel's half vectors are to be taken, too. Zero
     /// moments and a zero kernel leave the material as it is.
     ///
-    /// WGSL: none, `lobe_multi_lobe_lobe`, `lobe_patch_lobe_over` and `lobe_patch_lobe_widened` there.
+    /// WGSL: none, `lobe_multi_lobe_ndf`, `lobe_patch_ndf_over` and `lobe_patch_ndf_widened` there.
     #[inline]
     pub fn bake<'a>(
         &self,
@@ -54,15 +54,15 @@ impl<R: Real> MultiLobeMaterial<R> {
         kernel: &Kernel<R>,
     ) -> MultiLobeShading<'a, R> {
         let frame = MeanFrame::of(moments.mean());
-        let lobe = self.facets.lobe(dictionary, patch).over(moments).widened(kernel);
-        MultiLobeShading { lobe, frame, fresnel: self.fresnel }
+        let ndf = self.facets.ndf(dictionary, patch).over(moments).widened(kernel);
+        MultiLobeShading { ndf, frame, fresnel: self.fresnel }
     }
 }
 
 /// A baked surface of facets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MultiLobeShading<'a, R: Real> {
-    lobe: PatchLobe<'a, R>,
+    ndf: PatchNdf<'a, R>,
     frame: MeanFrame<R>,
     fresnel: Fresnel<R>,
 }
@@ -71,8 +71,8 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
     /// The lobe underneath, in the frame of the mean.
     ///
     /// WGSL: none, an argument there.
-    pub fn lobe(&self) -> &PatchLobe<'a, R> {
-        &self.lobe
+    pub fn ndf(&self) -> &PatchNdf<'a, R> {
+        &self.ndf
     }
 
     /// The frame that it is shaded in.
@@ -86,20 +86,20 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
     /// [`Shading::evaluate`](super::Shading::evaluate), with the light's cosine to the mean normal. Directions in the tangent
     /// frame.
     ///
-    /// WGSL: `lobe_patch_lobe_evaluate`.
+    /// WGSL: `lobe_patch_ndf_evaluate`.
     #[inline]
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
         let local = self.frame.to_local(wi);
         // The half vector's cosine is the same in any frame.
-        colour(&self.fresnel, self.lobe.brdf(self.frame.to_local(wo), local), local[2], wo, wi)
+        color(&self.fresnel, self.ndf.brdf(self.frame.to_local(wo), local), local[2], wo, wi)
     }
 
-    /// A direction towards the light, drawn as [`PatchLobe::sample`] does, between directions in the tangent frame: its
+    /// A direction towards the light, drawn as [`PatchNdf::sample`] does, between directions in the tangent frame: its
     /// weight times [`Fresnel`] is what [`MultiLobeShading::evaluate`] is over its density.
     ///
     /// ```
-    /// use lobe::material::glint::Patch;
+    /// use lobe::material::cells::Patch;
     /// use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
     /// use lobe::{Kernel, Psd, Roughness, SlopeMoments, material::Fresnel, shade::MultiLobeMaterial};
     /// let dictionary = Dictionary::<f64>::new(&Recipe { levels: 8, ..Recipe::default() })?;
@@ -115,16 +115,16 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
-    /// WGSL: none, `lobe_patch_lobe_sample` between `lobe_mean_frame_to_local` and `lobe_mean_frame_to_tangent` there.
-    pub fn sample(&self, wo: impl Into<[R; 3]>, u: [R; 7]) -> Option<Sampled<R>> {
-        let drawn = self.lobe.sample(self.frame.to_local(wo), u)?;
-        Some(Sampled { wi: self.frame.to_tangent(drawn.wi), ..drawn })
+    /// WGSL: none, `lobe_patch_ndf_sample` between `lobe_mean_frame_to_local` and `lobe_mean_frame_to_tangent` there.
+    pub fn sample(&self, wo: impl Into<[R; 3]>, u: [R; 7]) -> Option<DirectionSample<R>> {
+        let drawn = self.ndf.sample(self.frame.to_local(wo), u)?;
+        Some(DirectionSample { wi: self.frame.to_tangent(drawn.wi), ..drawn })
     }
 
     /// Density over solid angle with which [`MultiLobeShading::sample`] draws `wi`, for other ways of drawing it beside this one.
     ///
-    /// WGSL: none, `lobe_patch_lobe_pdf` after `lobe_mean_frame_to_local` there.
+    /// WGSL: none, `lobe_patch_ndf_pdf` after `lobe_mean_frame_to_local` there.
     pub fn pdf(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> R {
-        self.lobe.pdf(self.frame.to_local(wo), self.frame.to_local(wi))
+        self.ndf.pdf(self.frame.to_local(wo), self.frame.to_local(wi))
     }
 }

@@ -1,6 +1,6 @@
 //! Directions, normals and slopes in the tangent frame: right-handed, normal along +z.
 //!
-//! Floor 1. A slope is $s = (-m_x/m_z, -m_y/m_z)$, the sign of Heitz, LEADR and Chermain. Kaplanyan
+//! Layer 1. A slope is $s = (-m_x/m_z, -m_y/m_z)$, the sign of Heitz, LEADR and Chermain. Kaplanyan
 //! and Tokuyoshi write $+m_{xy}/m_z$: their point is $-s$.
 
 use crate::scalar::Real;

@@ -1,16 +1,17 @@
 //! The pixel's footprint on the slope plane: two derivative vectors and the parallelogram they span.
 //!
-//! Floor 1. A footprint is a fact about the pixel; which filter is laid over it is a kernel's choice.
+//! Layer 1. A footprint is a fact about the pixel; which filter is laid over it is a kernel's choice.
 
 use super::direction::slope_of;
 use super::jacobian::{Matrix, apply, disk_to_slope};
 use crate::error::Error;
 use crate::scalar::Real;
 use crate::scalar::exact::cross;
+use core::ops::{Mul, Sub};
 
 /// How the half vector's slope changes over one pixel to the right (`u`) and one up (`v`).
 ///
-/// The parallelogram is centre +- u/2 +- v/2. Signs and order do not matter to any filter, and a
+/// The parallelogram is center +- u/2 +- v/2. Signs and order do not matter to any filter, and a
 /// slope of either sign convention gives the same footprint. No constructor limits its size.
 ///
 /// ```
@@ -72,7 +73,7 @@ impl<R: Real> Footprint<R> {
         Self::from_slopes(u, v)
     }
 
-    /// From the half vectors of this pixel and of its neighbours to the right and above, by
+    /// From the half vectors of this pixel and of its neighbors to the right and above, by
     /// differences of their slopes, as a GPU's quad has them.
     ///
     /// All three in the frame of the same surface point, or each in its own shading frame (the frame's
@@ -176,9 +177,9 @@ impl<R: Real> Footprint<R> {
     /// Kaplanyan et al. 2016, section 5.2, limit the extents to lambda = 1. Theirs are measured along
     /// the frame's axes; the diameter does not depend on the frame.
     ///
-    /// WGSL: `lobe_footprint_rescaled`.
+    /// WGSL: `lobe_footprint_capped`.
     #[must_use]
-    pub fn rescaled(&self, limit: R) -> Self {
+    pub fn capped(&self, limit: R) -> Self {
         let (diameter, limit) = (self.diameter(), limit.max(R::ZERO));
         if diameter <= limit {
             return *self;
@@ -208,6 +209,17 @@ impl<R: Real> Footprint<R> {
         Self { u: self.u.map(shrink), v: self.v.map(shrink) }
     }
 
+    /// Area of the parallelogram, in squared slope units.
+    ///
+    /// WGSL: `lobe_footprint_area`.
+    pub fn area(&self) -> R {
+        cross(self.u, self.v).abs()
+    }
+}
+
+impl<R: Real> Mul<R> for Footprint<R> {
+    type Output = Self;
+
     /// The footprint of a pixel of another size: both derivatives times `factor`.
     ///
     /// For derivatives that were taken over other pixels than those that are shown: $1/\sqrt n$ where n samples
@@ -217,15 +229,18 @@ impl<R: Real> Footprint<R> {
     /// ```
     /// use lobe::Footprint;
     /// let shaded = Footprint::rectangle([0.1_f32, 0.2]);
-    /// assert_eq!(shaded.scaled(0.5).extents(), [0.05, 0.1]); // four shaded samples a pixel
+    /// assert_eq!((shaded * 0.5).extents(), [0.05, 0.1]); // four shaded samples a pixel
     /// ```
     ///
-    /// WGSL: `lobe_footprint_scaled`.
-    #[must_use]
+    /// WGSL: `lobe_footprint_mul`.
     #[inline]
-    pub fn scaled(&self, factor: R) -> Self {
+    fn mul(self, factor: R) -> Self {
         Self { u: self.u.map(|x| x * factor), v: self.v.map(|x| x * factor) }
     }
+}
+
+impl<R: Real> Sub for Footprint<R> {
+    type Output = Self;
 
     /// How the half vector's slope moves against a lobe whose mean moves, too: derivatives of $s_h - \mu$, the
     /// mean's given as two vectors along the same pixel axes.
@@ -238,20 +253,13 @@ impl<R: Real> Footprint<R> {
     /// use lobe::Footprint;
     /// // A map whose slope follows the half vector's: the highlight stays where it is.
     /// let footprint = Footprint::from_slopes([0.25_f32, 0.0], [0.0, 0.5]);
-    /// assert_eq!(footprint.against([0.25, 0.0], [0.0, 0.5]).area(), 0.0);
+    /// assert_eq!((footprint - Footprint::from_slopes([0.25, 0.0], [0.0, 0.5])).area(), 0.0);
     /// ```
     ///
-    /// WGSL: `lobe_footprint_against`.
-    #[must_use]
-    pub fn against(&self, mean_u: impl Into<[R; 2]>, mean_v: impl Into<[R; 2]>) -> Self {
-        let ([a, b], [c, d]) = (mean_u.into(), mean_v.into());
-        Self { u: [self.u[0] - a, self.u[1] - b], v: [self.v[0] - c, self.v[1] - d] }
-    }
-
-    /// Area of the parallelogram, in squared slope units.
-    ///
-    /// WGSL: `lobe_footprint_area`.
-    pub fn area(&self) -> R {
-        cross(self.u, self.v).abs()
+    /// WGSL: `lobe_footprint_sub`.
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        let (a, b) = (self, other);
+        Self { u: [a.u[0] - b.u[0], a.u[1] - b.u[1]], v: [a.v[0] - b.v[0], a.v[1] - b.v[1]] }
     }
 }

@@ -1,6 +1,6 @@
 //! Jacobians between the sphere, the projected disk and the slope plane.
 //!
-//! Floor 1. Matrices are `[[m_11, m_12], [m_21, m_22]]`, rows first: entry `m[i][j]` is the
+//! Layer 1. Matrices are `[[m_11, m_12], [m_21, m_22]]`, rows first: entry `m[i][j]` is the
 //! derivative of output `i` with respect to input `j`. On the sphere, the two inputs are angles on
 //! great circles through `h`: the first through the normal (increasing away from it), the second
 //! across. At `h = n` that frame is undefined; the limit along +x is used.
@@ -113,7 +113,7 @@ pub fn reflection_per_normal<R: Real>(wm: impl Into<[R; 3]>, wo: impl Into<[R; 3
 /// assert_eq!(lobe::slope::jacobian::apply(m, [1.0, 1.0]), [3.0, 7.0]);
 /// ```
 ///
-/// WGSL: `lobe_apply`.
+/// WGSL: `lobe_jacobian_apply`.
 pub fn apply<R: Real>(m: Matrix<R>, v: impl Into<[R; 2]>) -> [R; 2] {
     let v = v.into();
     [m[0][0] * v[0] + m[0][1] * v[1], m[1][0] * v[0] + m[1][1] * v[1]]

@@ -1,11 +1,11 @@
 //! The one door between where variance comes from and what is done with it.
 //!
-//! Floor 1. Upstream (footprints, normal maps, displacement) everything ends in a mean slope and a
+//! Layer 1. Upstream (footprints, normal maps, displacement) everything ends in a mean slope and a
 //! roughness; downstream (distributions, masking, shading) nothing else is asked for.
 
+use super::non_centered::NonCentered;
 use super::roughness::Roughness;
-use super::shape::Full;
-use super::tilted::Tilted;
+use super::shape::Anisotropic;
 use crate::error::Error;
 use crate::scalar::Real;
 
@@ -30,7 +30,7 @@ impl<R: Real> Lobe<R> {
     /// # Errors
     /// [`Error::Mean`] unless both components lie in $[-10^9, 10^9]$.
     ///
-    /// WGSL: `lobe_new`.
+    /// WGSL: `lobe_lobe_new`.
     pub fn new(mean: impl Into<[R; 2]>, roughness: Roughness<R>) -> Result<Self, Error> {
         let mean = mean.into();
         if mean[0].is_slope() && mean[1].is_slope() {
@@ -42,8 +42,8 @@ impl<R: Real> Lobe<R> {
 
     /// A lobe around the normal.
     ///
-    /// WGSL: `lobe_centred`.
-    pub fn centred(roughness: Roughness<R>) -> Self {
+    /// WGSL: `lobe_lobe_centered`.
+    pub fn centered(roughness: Roughness<R>) -> Self {
         Self { mean: [R::ZERO; 2], roughness }
     }
 
@@ -76,8 +76,8 @@ impl<R: Real> Lobe<R> {
 
     /// The shape that distributions take: any A, any mean.
     ///
-    /// WGSL: `lobe_shape`.
-    pub fn shape(&self) -> Tilted<Full<R>> {
-        Tilted::unchecked(Full::new(self.roughness), self.mean)
+    /// WGSL: `lobe_lobe_shape`.
+    pub fn shape(&self) -> NonCentered<Anisotropic<R>> {
+        NonCentered::unchecked(Anisotropic::new(self.roughness), self.mean)
     }
 }

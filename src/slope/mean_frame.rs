@@ -1,6 +1,6 @@
 //! The frame about the mean of slopes: where a relief leans, its own normal is +z.
 //!
-//! Floor 1. A lobe with a mean of its own stays where it is ([`Tilted`](super::Tilted)); masking that knows even lobes
+//! Layer 1. A lobe with a mean of its own stays where it is ([`NonCentered`](super::NonCentered)); masking that knows even lobes
 //! alone needs the frame in which it is one.
 
 use super::direction::{dot, normal_of};

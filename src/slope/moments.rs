@@ -1,6 +1,6 @@
 //! Mean and covariance of a patch of slopes: what a normal map leaves behind when it is minified.
 //!
-//! Floor 1. Raw moments filter linearly and cancel; the merge of means and covariances does neither.
+//! Layer 1. Raw moments filter linearly and cancel; the merge of means and covariances does neither.
 
 use super::lobe::Lobe;
 use super::roughness::Roughness;
@@ -17,7 +17,7 @@ use crate::scalar::{Psd, Real};
 /// assert_eq!(both.mean(), [0.0, 0.0]);
 /// assert!((both.covariance().entries()[0] - 0.01).abs() < 1e-15);
 /// let lobe = both.lobe(Roughness::from_alpha(0.05)?);
-/// assert!((lobe.roughness().alphas().x - (0.0025_f64 + 0.02).sqrt()).abs() < 1e-15);
+/// assert!((lobe.roughness().alphas().major - (0.0025_f64 + 0.02).sqrt()).abs() < 1e-15);
 /// # Ok::<(), lobe::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -81,7 +81,7 @@ impl<R: Real> SlopeMoments<R> {
         if !second.iter().all(|m| m.abs() <= R::LARGEST * R::LARGEST) {
             return Err(Error::MatrixEntry);
         }
-        let centre = Self::of_slope([x, y])?;
+        let center = Self::of_slope([x, y])?;
         let central =
             |raw: R, a: R, b: R| crate::scalar::exact::difference_of_products(raw, R::ONE, a, b);
         let covariance = Psd::nearest(
@@ -89,7 +89,7 @@ impl<R: Real> SlopeMoments<R> {
             central(second[1], x, y),
             central(second[2], y, y),
         );
-        Ok(Self { covariance, ..centre })
+        Ok(Self { covariance, ..center })
     }
 
     /// The mean slope.
@@ -131,7 +131,7 @@ impl<R: Real> SlopeMoments<R> {
         let between = Psd::outer_sum(d.map(|x| x * spread), [R::ZERO; 2]);
         Self {
             mean: [self.mean[0] + q * d[0], self.mean[1] + q * d[1]],
-            covariance: self.covariance.scaled(p).plus(&other.covariance.scaled(q)).plus(&between),
+            covariance: ((self.covariance * p) + other.covariance * q) + between,
         }
     }
 
@@ -141,7 +141,7 @@ impl<R: Real> SlopeMoments<R> {
     ///
     /// WGSL: `lobe_slope_moments_lobe`.
     pub fn lobe(&self, base: Roughness<R>) -> Lobe<R> {
-        let roughness = base.plus(&Roughness::from_covariance(self.covariance));
-        Lobe::centred(roughness).with_mean(self.mean)
+        let roughness = base + Roughness::from_covariance(self.covariance);
+        Lobe::centered(roughness).with_mean(self.mean)
     }
 }

@@ -1,7 +1,7 @@
 //! The half vector's slope along the surface: Kaplanyan's matrix M.
 //!
-//! Floor 1. For renderers that know positions, distances and curvature: ray tracers, meshlets,
-//! compute passes. Rasterisers difference neighbouring pixels instead ([`Footprint`](super::Footprint)).
+//! Layer 1. For renderers that know positions, distances and curvature: ray tracers, meshlets,
+//! compute passes. Rasterizers difference neighboring pixels instead ([`Footprint`](super::Footprint)).
 
 use super::direction::dot;
 use super::jacobian::Matrix;
@@ -88,14 +88,14 @@ impl<R: Real> Path<R> {
     ///
     /// WGSL: `lobe_path_plane_point`.
     pub fn plane_point(&self) -> [R; 2] {
-        let g = self.half();
+        let g = self.half_vector();
         if g[2] > R::ZERO { [g[0] / g[2], g[1] / g[2]] } else { [R::ZERO; 2] }
     }
 
-    /// The half vector without its normalisation, $g = w_i + w_o$.
+    /// The half vector without its normalization, $g = w_i + w_o$.
     ///
     /// WGSL: `lobe_path_half_vector`.
-    pub fn half(&self) -> [R; 3] {
+    pub fn half_vector(&self) -> [R; 3] {
         let (wo, wi) = (self.eye.direction, self.light.direction);
         [wo[0] + wi[0], wo[1] + wi[1], wo[2] + wi[2]]
     }
@@ -112,7 +112,7 @@ impl<R: Real> Path<R> {
     /// let path = Path { eye: above, light: above, curvature: [0.5, 0.0, 0.5] };
     /// // A ray tracer's pixel: the width of its ray cone at the hit.
     /// let [u, v] = ray::cone_steps(wo, ray::cone_width(0.0, 0.001, 20.0)).map(|dx| path.motion(dx));
-    /// let footprint = Footprint::from_motion(path.half(), &u, &v)?;
+    /// let footprint = Footprint::from_motion(path.half_vector(), &u, &v)?;
     /// assert!((footprint.extents()[0] - 0.01).abs() < 1e-8);
     /// # Ok::<(), lobe::Error>(())
     /// ```
@@ -123,7 +123,7 @@ impl<R: Real> Path<R> {
         let [b11, b12, b22] = self.curvature;
         let (eye, light) = (self.eye.turn([x, y, R::ZERO]), self.light.turn([x, y, R::ZERO]));
         Motion {
-            half: [0, 1, 2].map(|k| eye[k] + light[k]),
+            half_vector: [0, 1, 2].map(|k| eye[k] + light[k]),
             normal: [b11 * x + b12 * y, b12 * x + b22 * y],
             spin: R::ZERO,
         }
@@ -149,7 +149,7 @@ impl<R: Real> Path<R> {
     ///
     /// WGSL: `lobe_path_slope_jacobian`.
     pub fn slope_jacobian(&self) -> Matrix<R> {
-        let g = self.half();
+        let g = self.half_vector();
         if !(g[2] > R::ZERO) {
             return [[R::ZERO; 2]; 2];
         }

@@ -1,11 +1,11 @@
 //! Pixel steps on a surface from rays: differentials and cones.
 //!
-//! Floor 1. What a ray tracer has in place of quads. Steps are in the tangent plane at the hit, one per pixel
+//! Layer 1. What a ray tracer has in place of quads. Steps are in the tangent plane at the hit, one per pixel
 //! axis; [`Path::motion`](super::Path::motion) carries them on.
 
 use crate::scalar::Real;
 
-/// The tangent-plane step of a ray differential: where the neighbouring pixel's ray meets the plane.
+/// The tangent-plane step of a ray differential: where the neighboring pixel's ray meets the plane.
 ///
 /// $x = dO + t\,dD$, $dx = x_{xy} - \frac{x_z}{w_{o,z}} w_{o,xy}$: `origin` and `direction` are the differentials
 /// of the ray's origin and of its unit direction for one pixel, in the tangent frame, `distance` is t, `wo` points

@@ -1,12 +1,13 @@
 //! Roughness: the matrix A of a lobe, from any of the numbers users have for it.
 //!
-//! Floor 1. Four numbers get mixed up in practice: perceptual roughness r, alpha = r^2, alpha^2 (an
+//! Layer 1. Four numbers get mixed up in practice: perceptual roughness r, alpha = r^2, alpha^2 (an
 //! entry of A) and slope variance sigma^2 = alpha^2 / 2 (Beckmann). Each has its own constructor;
 //! `A = 2 Sigma` is what [`Roughness::from_covariance`] and [`Roughness::covariance`] are for.
 
 use super::jacobian::Matrix;
 use crate::error::Error;
 use crate::scalar::{Psd, Real};
+use core::ops::Add;
 
 /// The roughness matrix A of a lobe: symmetric, positive semi-definite, in squared slope units.
 ///
@@ -24,7 +25,7 @@ use crate::scalar::{Psd, Real};
 /// let b = Roughness::from_perceptual(0.1_f32.sqrt())?;
 /// let c = Roughness::from_sigma_rho(0.1 * 0.5_f32.sqrt(), 0.1 * 0.5_f32.sqrt(), 0.0)?;
 /// for other in [b, c] {
-///     assert!((other.alphas().x - a.alphas().x).abs() < 1e-7);
+///     assert!((other.alphas().major - a.alphas().major).abs() < 1e-7);
 /// }
 /// # Ok::<(), lobe::Error>(())
 /// ```
@@ -37,9 +38,9 @@ pub struct Roughness<R> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Alphas<R> {
     /// alpha along the major axis: the larger.
-    pub x: R,
+    pub major: R,
     /// alpha along the minor axis.
-    pub y: R,
+    pub minor: R,
     /// Angle of the major axis from +x, counter-clockwise, in $(-\pi/2, \pi/2]$; 0 when isotropic.
     pub angle: R,
 }
@@ -105,7 +106,7 @@ impl<R: Real> Roughness<R> {
     /// WGSL: `lobe_roughness_from_covariance`.
     #[inline]
     pub fn from_covariance(covariance: Psd<R>) -> Self {
-        Self { matrix: covariance.scaled(R::TWO) }
+        Self { matrix: covariance * R::TWO }
     }
 
     /// From the slopes' standard deviations and correlation.
@@ -135,7 +136,7 @@ impl<R: Real> Roughness<R> {
     ///
     /// WGSL: `lobe_roughness_covariance`.
     pub fn covariance(&self) -> Psd<R> {
-        self.matrix.scaled(R::HALF)
+        self.matrix * R::HALF
     }
 
     /// Back to roughness along the axes and their angle.
@@ -143,7 +144,7 @@ impl<R: Real> Roughness<R> {
     /// ```
     /// use lobe::Roughness;
     /// let back = Roughness::from_alphas(0.5_f64, 0.01, 0.3)?.alphas();
-    /// assert!((back.x - 0.5).abs() < 1e-14 && (back.y - 0.01).abs() < 1e-14);
+    /// assert!((back.major - 0.5).abs() < 1e-14 && (back.minor - 0.01).abs() < 1e-14);
     /// assert!((back.angle - 0.3).abs() < 1e-14);
     /// # Ok::<(), lobe::Error>(())
     /// ```
@@ -154,16 +155,7 @@ impl<R: Real> Roughness<R> {
         let [cos, sin] = eigen.axis;
         // An axis has no direction: the quotient keeps to the half turn on the right, +y at its end.
         let angle = if cos == R::ZERO { R::HALF * R::PI } else { (sin / cos).atan() };
-        Alphas { x: eigen.major.sqrt(), y: eigen.minor.sqrt(), angle }
-    }
-
-    /// The sum of two roughness matrices: independent layers of slopes.
-    ///
-    /// WGSL: `lobe_roughness_plus`.
-    #[must_use]
-    #[inline]
-    pub fn plus(&self, other: &Self) -> Self {
-        Self { matrix: self.matrix.plus(&other.matrix) }
+        Alphas { major: eigen.major.sqrt(), minor: eigen.minor.sqrt(), angle }
     }
 
     /// Chermain's matrix M, which carries a reference lobe of deviation `sigma_o` to this one.
@@ -195,5 +187,17 @@ impl<R: Real> Roughness<R> {
             [covariance.root_det() / sigma_y * inverse, xy / sigma_y * inverse],
             [R::ZERO, sigma_y * inverse],
         ]
+    }
+}
+
+impl<R: Real> Add for Roughness<R> {
+    type Output = Self;
+
+    /// The sum of two roughness matrices: independent layers of slopes.
+    ///
+    /// WGSL: `lobe_roughness_add`.
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self { matrix: self.matrix + other.matrix }
     }
 }

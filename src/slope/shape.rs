@@ -1,8 +1,8 @@
 //! Shapes: what a distribution needs to know of roughness and mean, at the price of what a scene has.
 //!
-//! Floor 1. Whatever its anisotropy and tilt, a lobe meets its distribution in four numbers: the root
+//! Layer 1. Whatever its anisotropy and tilt, a lobe meets its distribution in four numbers: the root
 //! of the determinant, the form n(m), the squared stretch a^2(w) and the mean projected area c(w).
-//! `Isotropic` answers with plain products, `Full` with compensated ones; the compiler keeps only what the
+//! `Isotropic` answers with plain products, `Anisotropic` with compensated ones; the compiler keeps only what the
 //! shape in use needs.
 
 use super::roughness::Roughness;
@@ -13,12 +13,12 @@ use crate::scalar::exact::{difference_of_products, sum_of_products};
 /// The questions that a distribution and its filters ask.
 ///
 /// Directions are in the tangent frame and need not have unit length: every answer is homogeneous.
-pub trait Shape: Copy {
+pub trait LobeShape: Copy {
     /// The precision.
     type Scalar: Real;
 
     /// True if the mean is 0 for every value of this shape.
-    const CENTRED: bool;
+    const CENTERED: bool;
 
     /// $\sqrt{\det A}$; 0 for a mirror along some axis.
     ///
@@ -31,18 +31,18 @@ pub trait Shape: Copy {
     /// With $s$ the slope of $m$ and $q = (s - \mu)^T A^{-1} (s - \mu)$: $n = \sqrt{\det A}\, q\,
     /// m_z^2$. Free of divisions by $m_z$, hence valid up to the horizon.
     ///
-    /// WGSL: `lobe_isotropic_form`, `lobe_axis_aligned_form`, `lobe_full_form`, `lobe_tilted_form`.
+    /// WGSL: `lobe_isotropic_form`, `lobe_axis_aligned_form`, `lobe_anisotropic_form`, `lobe_non_centered_form`.
     fn form(&self, m: [Self::Scalar; 3], m_low: [Self::Scalar; 3]) -> Self::Scalar;
 
     /// The slope relative to the mean, $s - \mu$, as an unevaluated sum, high and low.
     ///
-    /// WGSL: `lobe_tilted_offset`.
+    /// WGSL: `lobe_non_centered_offset`.
     fn offset(&self, slope: [Self::Scalar; 2]) -> ([Self::Scalar; 2], [Self::Scalar; 2]);
 
     /// $L^{-1} v$ with $L L^T = A$, for the difference of slopes `v + v_low`: lengths in units of the
     /// lobe. Not defined for a mirror.
     ///
-    /// WGSL: `lobe_full_whiten`.
+    /// WGSL: `lobe_anisotropic_whiten`.
     fn whiten(&self, v: [Self::Scalar; 2], v_low: [Self::Scalar; 2]) -> [Self::Scalar; 2];
 
     /// The unit vector of the major axis of A, and alpha along it: all that is left of a groove, whose A has rank one.
@@ -50,26 +50,26 @@ pub trait Shape: Copy {
     /// $A \approx \alpha^2 g g^T$ for the vector g and alpha, up to the minor axis. `[1, 0]` for a round A.
     ///
     /// ```
-    /// use lobe::{AxisAligned, Shape};
+    /// use lobe::{AxisAligned, LobeShape};
     /// assert_eq!(AxisAligned::new(0.0_f32, 0.3)?.major(), ([0.0, 1.0], 0.3));
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
-    /// WGSL: `lobe_full_major`.
+    /// WGSL: `lobe_anisotropic_major`.
     fn major(&self) -> ([Self::Scalar; 2], Self::Scalar);
 
     /// $a^2(w) = w_{xy}^T A\, w_{xy}$.
     ///
-    /// WGSL: `lobe_isotropic_stretch_squared`, `lobe_axis_aligned_stretch_squared`, `lobe_full_stretch_squared`.
+    /// WGSL: `lobe_isotropic_stretch_squared`, `lobe_axis_aligned_stretch_squared`, `lobe_anisotropic_stretch_squared`.
     fn stretch_squared(&self, w: [Self::Scalar; 3]) -> Self::Scalar;
 
     /// $c(w) = w_z - \mu \cdot w_{xy}$, the projected area of the mean plane.
     ///
-    /// WGSL: `lobe_tilted_mean_area`.
+    /// WGSL: `lobe_non_centered_mean_area`.
     fn mean_area(&self, w: [Self::Scalar; 3]) -> Self::Scalar;
 }
 
-/// $A = \alpha^2 I$, centred.
+/// $A = \alpha^2 I$, centered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Isotropic<R> {
     alpha: R,
@@ -101,9 +101,9 @@ impl<R: Real> Isotropic<R> {
     }
 }
 
-impl<R: Real> Shape for Isotropic<R> {
+impl<R: Real> LobeShape for Isotropic<R> {
     type Scalar = R;
-    const CENTRED: bool = true;
+    const CENTERED: bool = true;
 
     #[inline(always)]
     fn root_det(&self) -> R {
@@ -136,7 +136,7 @@ impl<R: Real> Shape for Isotropic<R> {
     }
 }
 
-/// $A = \mathrm{diag}(\alpha_x^2, \alpha_y^2)$, centred.
+/// $A = \mathrm{diag}(\alpha_x^2, \alpha_y^2)$, centered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisAligned<R> {
     alphas: [R; 2],
@@ -171,9 +171,9 @@ impl<R: Real> AxisAligned<R> {
     }
 }
 
-impl<R: Real> Shape for AxisAligned<R> {
+impl<R: Real> LobeShape for AxisAligned<R> {
     type Scalar = R;
-    const CENTRED: bool = true;
+    const CENTERED: bool = true;
 
     #[inline(always)]
     fn root_det(&self) -> R {
@@ -208,13 +208,13 @@ impl<R: Real> Shape for AxisAligned<R> {
     }
 }
 
-/// Any A, centred.
+/// Any A, centered.
 ///
 /// The form is a sum of squares, $n = v_x^2 \sqrt{\det A}/a_{xx} + t^2 a_{xx}/\sqrt{\det A}$ with
 /// $t = v_y - v_x a_{xy}/a_{xx}$ from one compensated product: the textbook
 /// $a_{yy} v_x^2 - 2 a_{xy} v_x v_y + a_{xx} v_y^2$ loses four digits at rho = 0.9999.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Full<R> {
+pub struct Anisotropic<R> {
     xx: R,
     xy: R,
     root_det: R,
@@ -225,17 +225,17 @@ pub struct Full<R> {
     schur: R,
 }
 
-impl<R: Real> Full<R> {
+impl<R: Real> Anisotropic<R> {
     /// From a roughness; precomputes what evaluation needs.
     ///
     /// ```
-    /// use lobe::{Full, Ggx, Roughness};
-    /// let ggx = Ggx::new(Full::new(Roughness::from_alphas(0.5_f64, 0.05, 0.7)?));
+    /// use lobe::{Anisotropic, Ggx, Roughness};
+    /// let ggx = Ggx::new(Anisotropic::new(Roughness::from_alphas(0.5_f64, 0.05, 0.7)?));
     /// assert!(ggx.slope_pdf([0.1, 0.1]) > 0.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
-    /// WGSL: `lobe_full_new`.
+    /// WGSL: `lobe_anisotropic_new`.
     #[inline]
     pub fn new(roughness: Roughness<R>) -> Self {
         let matrix = roughness.matrix();
@@ -258,15 +258,15 @@ impl<R: Real> Full<R> {
     }
 }
 
-impl<R: Real> From<Roughness<R>> for Full<R> {
+impl<R: Real> From<Roughness<R>> for Anisotropic<R> {
     fn from(roughness: Roughness<R>) -> Self {
         Self::new(roughness)
     }
 }
 
-impl<R: Real> Shape for Full<R> {
+impl<R: Real> LobeShape for Anisotropic<R> {
     type Scalar = R;
-    const CENTRED: bool = true;
+    const CENTERED: bool = true;
 
     #[inline(always)]
     fn root_det(&self) -> R {

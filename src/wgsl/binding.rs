@@ -1,6 +1,6 @@
 //! Where a text's dictionary is: at which binding, in a buffer or in a texture.
 //!
-//! Floor 0.
+//! Layer 0.
 
 use alloc::format;
 use alloc::string::String;
@@ -23,7 +23,7 @@ const FROM_TEXTURE: &str = "    let width = textureDimensions(lobe_dictionary).x
 
 /// A text with its dictionary at another place than group 1, binding 0.
 ///
-/// Texts with a dictionary of marginals (`Item::DictionaryMarginal`) declare the one binding that the mirror has: a
+/// Texts with a dictionary of marginals (`Item::DictionaryMarginal`) declare the one binding that the WGSL port has: a
 /// buffer or, after [`textured`], a texture. Other texts come back as they are.
 ///
 /// ```

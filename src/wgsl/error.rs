@@ -1,6 +1,6 @@
 //! Why a name is no item.
 //!
-//! Floor 0.
+//! Layer 0.
 
 use alloc::string::String;
 use core::fmt;

@@ -1,6 +1,6 @@
 //! What can be asked for.
 //!
-//! Floor 0.
+//! Layer 0.
 
 use super::error::Error;
 use super::list::OFF;
@@ -52,7 +52,7 @@ impl Item {
     /// ```
     /// use lobe::wgsl::Item;
     /// assert_eq!(Item::GgxD.twin(), Some("Ndf::d"));
-    /// assert_eq!(Item::FullPair.twin(), None);
+    /// assert_eq!(Item::AnisotropicPair.twin(), None);
     /// ```
     pub fn twin(self) -> Option<&'static str> {
         let twin = self.entry().2;

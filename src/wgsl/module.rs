@@ -1,6 +1,6 @@
-//! The files of the mirror, as a linker takes them.
+//! The files of the WGSL port, as a linker takes them.
 //!
-//! Floor 0.
+//! Layer 0.
 
 use super::text::{Declaration, declarations, uses};
 use alloc::collections::BTreeMap;
@@ -9,7 +9,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt::Write as _;
 
-/// A WGSL file of the mirror, twin of the Rust file of the same path.
+/// A WGSL file of the WGSL port, twin of the Rust file of the same path.
 ///
 /// One body, three headers: [`Module::body`] is raw WGSL for whoever concatenates texts, [`Module::wesl`] has `import`
 /// statements before it (WESL; Bevy from 0.20), [`Module::naga_oil`] has `#define_import_path` and `#import` (Bevy
@@ -17,7 +17,7 @@ use core::fmt::Write as _;
 ///
 /// ```
 /// use lobe::wgsl::Module;
-/// let ggx = Module::ALL.iter().find(|module| module.path() == "ndf/ggx").expect("a file of the mirror");
+/// let ggx = Module::ALL.iter().find(|module| module.path() == "ndf/ggx").expect("a file of the WGSL port");
 /// assert!(ggx.body().contains("fn lobe_ggx_d("));
 /// assert!(ggx.wesl().starts_with("import super::distribution::{"));
 /// assert!(ggx.naga_oil().starts_with("#define_import_path lobe::ndf::ggx\n#import lobe::"));
@@ -62,10 +62,10 @@ modules! {
     "slope/ray",
     "slope/roughness",
     "slope/shape",
-    "slope/tilted",
+    "slope/non_centered",
     "slope/lobe",
     "slope/moments",
-    "slope/layers",
+    "slope/algebra",
     "slope/mean_frame",
     "ndf/distribution",
     "ndf/masking",
@@ -76,39 +76,39 @@ modules! {
     "filter/gaussian",
     "filter/projected",
     "filter/light",
-    "filter/segment",
-    "filter/strip",
-    "filter/frame",
-    "filter/thin",
-    "filter/edges",
+    "filter/polygon/segment",
+    "filter/polygon/strip",
+    "filter/polygon/frame",
+    "filter/polygon/thin",
+    "filter/polygon/edges",
     "filter/groove",
-    "filter/secant",
-    "filter/polygon",
+    "filter/polygon/secant",
+    "filter/polygon/tree",
     "filter/proxy",
     "filter/beckmann",
     "filter/deferred",
     #[cfg(feature = "published")]
     "filter/length",
     #[cfg(feature = "published")]
-    "filter/preset",
+    "filter/engine",
     #[cfg(feature = "published")]
-    "filter/published",
+    "filter/kaplanyan",
     "material/fresnel",
     "material/lean/storage",
     "material/leadr/surface",
     "material/leadr/lod",
     #[cfg(feature = "glint")]
+    "material/cells/cell",
+    #[cfg(feature = "glint")]
+    "material/cells/tile",
+    #[cfg(feature = "glint")]
+    "material/cells/patch",
+    #[cfg(feature = "glint")]
     "material/glint/binomial",
     #[cfg(feature = "glint")]
     "material/glint/biscale",
     #[cfg(feature = "glint")]
-    "material/glint/cell",
-    #[cfg(feature = "glint")]
-    "material/glint/colour",
-    #[cfg(feature = "glint")]
-    "material/glint/tile",
-    #[cfg(feature = "glint")]
-    "material/glint/patch",
+    "material/glint/color",
     #[cfg(feature = "glint")]
     "material/glint/level",
     #[cfg(feature = "glint")]
@@ -116,13 +116,17 @@ modules! {
     #[cfg(feature = "glint")]
     "material/glint/light",
     #[cfg(feature = "glint")]
-    "material/glint/lobe",
-    #[cfg(feature = "glint")]
     "material/glint/glints",
+    #[cfg(feature = "glint")]
+    "material/glint/ndf",
+    #[cfg(feature = "glint")]
+    "material/glint/sparkle",
     #[cfg(feature = "glint")]
     "material/multilobe/dictionary",
     #[cfg(feature = "glint")]
     "material/multilobe/marginal",
+    #[cfg(feature = "glint")]
+    "material/multilobe/material",
     #[cfg(feature = "glint")]
     "material/multilobe/ellipse",
     #[cfg(feature = "glint")]
@@ -132,12 +136,10 @@ modules! {
     #[cfg(feature = "glint")]
     "material/multilobe/plane",
     #[cfg(feature = "glint")]
-    "material/multilobe/lobe",
+    "material/multilobe/ndf",
     #[cfg(feature = "glint")]
     "material/multilobe/sample",
-    #[cfg(feature = "glint")]
-    "material/multilobe/material",
-    "shade",
+    "shade/material",
     #[cfg(feature = "glint")]
     "shade/glints",
     #[cfg(feature = "glint")]
@@ -207,7 +209,7 @@ impl Module {
     ///
     /// ```
     /// use lobe::wgsl::Module;
-    /// let exp = Module::ALL.iter().find(|module| module.path() == "scalar/exp").expect("a file of the mirror");
+    /// let exp = Module::ALL.iter().find(|module| module.path() == "scalar/exp").expect("a file of the WGSL port");
     /// assert_eq!(exp.dependencies(), ["scalar/real"]);
     /// ```
     pub fn dependencies(&self) -> Vec<&'static str> {

@@ -1,6 +1,6 @@
 //! What usual scenes ask for.
 //!
-//! Floor 0.
+//! Layer 0.
 
 use super::item::Item;
 use super::text::source;
@@ -133,8 +133,8 @@ impl Preset {
                 I::PixelFilterBox,
                 I::RoughnessFromAlpha,
                 I::RoughnessWidened,
-                I::FullNew,
-                I::FullPair,
+                I::AnisotropicNew,
+                I::AnisotropicPair,
                 I::GgxBrdf,
             ],
             Self::ForwardProjected => &[
@@ -142,8 +142,8 @@ impl Preset {
                 I::PixelFilterTokuyoshiKaplanyan,
                 I::RoughnessFromAlpha,
                 I::RoughnessWidenedOnDisk,
-                I::FullNew,
-                I::FullPair,
+                I::AnisotropicNew,
+                I::AnisotropicPair,
                 I::GgxBrdf,
             ],
             Self::ForwardPeak => &[
@@ -152,21 +152,25 @@ impl Preset {
                 I::PixelFilterBox,
                 I::RoughnessFromAlpha,
                 I::RoughnessPeakFitted,
-                I::FullNew,
-                I::FullPair,
+                I::AnisotropicNew,
+                I::AnisotropicPair,
                 I::GgxBrdf,
             ],
-            Self::ForwardExact => {
-                &[I::FragmentFootprint, I::RoughnessFromAlpha, I::Centred, I::Shape, I::GgxBrdfOver]
-            }
+            Self::ForwardExact => &[
+                I::FragmentFootprint,
+                I::RoughnessFromAlpha,
+                I::LobeCentered,
+                I::LobeShape,
+                I::GgxBrdfOver,
+            ],
             Self::ForwardBeckmann => &[
                 I::FragmentFootprint,
                 I::KernelOf,
                 I::PixelFilterBox,
                 I::RoughnessFromAlpha,
                 I::RoughnessWidened,
-                I::FullNew,
-                I::FullPair,
+                I::AnisotropicNew,
+                I::AnisotropicPair,
                 I::BeckmannBrdf,
             ],
             Self::RayTraced => &[
@@ -179,8 +183,8 @@ impl Preset {
                 I::PixelFilterBox,
                 I::RoughnessFromAlpha,
                 I::RoughnessWidened,
-                I::FullNew,
-                I::FullPair,
+                I::AnisotropicNew,
+                I::AnisotropicPair,
                 I::GgxBrdf,
             ],
             Self::LeanPlane => &[
@@ -190,9 +194,9 @@ impl Preset {
                 I::FragmentFootprint,
                 I::KernelOf,
                 I::PixelFilterBox,
-                I::Widened,
-                I::Shape,
-                I::TiltedPair,
+                I::LobeWidened,
+                I::LobeShape,
+                I::NonCenteredPair,
                 I::BeckmannBrdf,
             ],
             Self::Displaced => &[
@@ -200,7 +204,7 @@ impl Preset {
                 I::SlopeMomentsLobe,
                 I::RoughnessFromAlpha,
                 I::LeadrNew,
-                I::LeadrSpecular,
+                I::LeadrBrdfCos,
                 I::LeadrFacet,
                 I::LeadrArtificialFacet,
                 I::CubeLod,
@@ -212,11 +216,11 @@ impl Preset {
                 I::FragmentFootprint,
                 I::KernelOf,
                 I::PixelFilterBox,
-                I::KernelThen,
+                I::KernelAdd,
                 I::RoughnessFromAlpha,
                 I::RoughnessWidened,
-                I::FullNew,
-                I::FullPair,
+                I::AnisotropicNew,
+                I::AnisotropicPair,
                 I::GgxBrdf,
             ],
             Self::Facade => &[
@@ -224,8 +228,8 @@ impl Preset {
                 I::KernelOf,
                 I::PixelFilterBox,
                 I::RoughnessFromAlpha,
-                I::Centred,
-                I::Bake,
+                I::LobeCentered,
+                I::MaterialBake,
                 I::HalfCosine,
                 I::FresnelSchlick,
                 I::GgxEvaluate,
@@ -235,23 +239,23 @@ impl Preset {
                 I::BiscaleFromFractions,
                 I::GlintsNew,
                 I::FragmentPatch,
-                I::GlintsLobe,
+                I::GlintsNdf,
                 I::FragmentFootprint,
                 I::KernelOf,
                 I::PixelFilterBox,
-                I::GlintLobeWidened,
-                I::GlintLobeBrdf,
+                I::GlintNdfWidened,
+                I::GlintNdfBrdf,
             ],
             #[cfg(feature = "glint")]
             Self::ManyLobes => &[
                 I::RoughnessFromAlpha,
                 I::MultiLobeNew,
                 I::FragmentPatch,
-                I::MultiLobeLobe,
+                I::MultiLobeNdf,
                 I::FragmentDiskKernel,
                 I::PixelFilterBox,
-                I::PatchLobeWidened,
-                I::PatchLobeBrdf,
+                I::PatchNdfWidened,
+                I::PatchNdfBrdf,
             ],
         }
     }

@@ -1,6 +1,6 @@
 //! How the table of items becomes code.
 //!
-//! Floor 0.
+//! Layer 0.
 
 /// Expands the table: the enum, its list, the entries, and the names behind features that are off.
 macro_rules! items {
@@ -11,7 +11,7 @@ macro_rules! items {
             $($gated:ident: $gated_kind:tt $gated_name:literal $(, $gated_twin:literal)?;)*
         )*
     ) => {
-        /// A function or constant of the mirror, or a whole file of it, to ask [`source`](super::source) for.
+        /// A function or constant of the WGSL port, or a whole file of it, to ask [`source`](super::source) for.
         ///
         /// A file stands for all that it declares. Structures come with what uses them.
         ///

@@ -1,6 +1,6 @@
-//! The text of the mirror, taken apart and put together again.
+//! The text of the WGSL port, taken apart and put together again.
 //!
-//! Floor 0. The files keep to a shape that needs no parser: a declaration begins at the start of a line, under its
+//! Layer 0. The files keep to a shape that needs no parser: a declaration begins at the start of a line, under its
 //! comment, and ends with a line `}` or, for a constant or a buffer, with a semicolon.
 
 use super::item::Item;

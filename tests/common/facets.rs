@@ -3,8 +3,8 @@
 
 use crate::common::arbitrary::Source;
 use crate::common::quadrature::midpoints;
-use lobe::material::glint::Patch;
-use lobe::material::multilobe::{Dictionary, MultiLobe, PatchLobe, Recipe};
+use lobe::material::cells::Patch;
+use lobe::material::multilobe::{Dictionary, MultiLobe, PatchNdf, Recipe};
 use lobe::{Kernel, Psd, Roughness};
 use std::sync::OnceLock;
 
@@ -20,13 +20,13 @@ pub(crate) fn roughness() -> Roughness<f64> {
 }
 
 /// A pixel of about this many facets, somewhere.
-pub(crate) fn pixel(facets: f64, index: u64) -> PatchLobe<'static, f64> {
+pub(crate) fn pixel(facets: f64, index: u64) -> PatchNdf<'static, f64> {
     let mut source = Source::from_seed(index);
     let uv = [source.uniform(-9.0, 9.0), source.uniform(-9.0, 9.0)];
     let (turn, size) = (source.uniform(-3.2, 3.2), source.uniform(1.0, 2.0));
     let (sin, cos) = turn.sin_cos();
     let patch = Patch::new(uv, [size * cos, size * sin], [-size * sin, 1.5 * size * cos]);
-    surface(facets, index as u32).lobe(dictionary(), &patch)
+    surface(facets, index as u32).ndf(dictionary(), &patch)
 }
 
 /// A surface of that roughness.
@@ -50,7 +50,7 @@ pub(crate) fn kernels(covariance: Psd<f64>) -> Vec<Kernel<f64>> {
     // A side of 1.5 deviations is the longest piece.
     let longest = 1.5 * 1.5 / 12.0;
     let round = [0.01, longest * (1.0 - 1e-15), longest, longest * (1.0 + 1e-15), 0.7, 1.2];
-    let scaled = round.map(|share| covariance.scaled(share));
+    let scaled = round.map(|share| covariance * share);
     let [l, m, n] = covariance.cholesky();
     let (x, y) = ([l, m], [0.0, n]);
     let outer = |u: [f64; 2], v: [f64; 2], [a, b]: [f64; 2]| {

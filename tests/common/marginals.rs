@@ -1,10 +1,10 @@
 //! Dictionaries and their marginals, for the laws of both.
 #![allow(dead_code, reason = "shared by tests that use some of it each")]
 
-use lobe::material::multilobe::{Dictionary, Marginal, Means, Recipe};
+use lobe::material::multilobe::{Dictionary, LobeMeans, Marginal, Recipe};
 
 /// A small one with all that a large one has.
-pub(crate) fn small(means: Means) -> Dictionary<f64> {
+pub(crate) fn small(means: LobeMeans) -> Dictionary<f64> {
     Dictionary::new(&Recipe { marginals: 24, levels: 9, means, ..Recipe::default() })
         .expect("valid")
 }

@@ -59,7 +59,7 @@ pub(crate) fn trapezoid(f: &mut dyn FnMut(f64) -> f64, reach: f64, step: f64) ->
     (-half..=half).map(|k| f(step * f64::from(k))).sum::<f64>() * step
 }
 
-/// The integral over the plane in polar coordinates, of a function that has one centre at the origin,
+/// The integral over the plane in polar coordinates, of a function that has one center at the origin,
 /// width 1, and falls like $|w|^{-4}$ or faster: trapezoid in ln r and in the angle.
 ///
 /// In x = ln r, the integrands $2 r^2/(1 + r^2)^2$ and $2 r^2 e^{-r^2}$ are analytic for |Im x| < pi/4:
@@ -81,7 +81,7 @@ pub(crate) fn over_plane(f: &mut dyn FnMut([f64; 2]) -> f64) -> f64 {
     trapezoid(&mut ring, 18.0, 0.125)
 }
 
-/// Mean of `f` over the unit square centred at the origin, adaptive in both directions.
+/// Mean of `f` over the unit square centered at the origin, adaptive in both directions.
 pub(crate) fn over_square(f: &mut dyn FnMut(f64, f64) -> f64, relative: f64) -> f64 {
     let mut across = |y: f64| adaptive(&mut |x| f(x, y), -0.5, 0.5, 0.1 * relative);
     adaptive(&mut across, -0.5, 0.5, relative)

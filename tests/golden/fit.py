@@ -86,7 +86,7 @@ def alternation(errors, need):
 
 
 class Fit:
-    """Minimises max |weight (f - p)| over [lo, hi], p a polynomial of the given degree."""
+    """Minimizes max |weight (f - p)| over [lo, hi], p a polynomial of the given degree."""
 
     def __init__(self, f, weight, lo, hi, degree):
         self.degree = degree
@@ -217,17 +217,17 @@ def fit_ln(name, bits, degree):
 def fit_half_line(name, bits, degree, pole, reference, factor, limit):
     """reference(x) factor(x) in u = t - 3/8, t = pole/(pole + x), 0 <= x <= infinity, relative.
 
-    The factor makes it nearly constant, so that the rounding of t hardly matters; centred at
+    The factor makes it nearly constant, so that the rounding of t hardly matters; centered at
     3/8 the terms hardly cancel. At infinity the product is limit/sqrt(pi).
     """
-    centre = mpf(3) / 8
+    center = mpf(3) / 8
     def argument(u):
-        t = u + centre
+        t = u + center
         return pole * (1 - t) / t if t else mp.inf
     def core(u):
         x = argument(u)
         return reference(x) * factor(x) if x < 1e25 else limit / mp.sqrt(mp.pi)
-    fit = Fit(core, lambda u: 1 / core(u), -centre, 1 - centre, degree)
+    fit = Fit(core, lambda u: 1 / core(u), -center, 1 - center, degree)
     report(name, fit, bits, argument)
 
 

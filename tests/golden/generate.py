@@ -41,7 +41,7 @@ Formulas, by table:
 Self-checks, made every time on rows of the tables themselves. In f64 and two dimensions, on moderate rows, where direct
 integration converges; in arbitrary precision on rows of every kind:
   P22                 integrates to 1 over the plane
-  D, BRDF             against the textbook forms in angles (isotropic, centred); the BRDF also by its factors, Lambda
+  D, BRDF             against the textbook forms in angles (isotropic, centered); the BRDF also by its factors, Lambda
                       by quadrature, and with wo and wi swapped
   sigma, Lambda       against two-dimensional quadrature of the defining integral; along the one axis that matters
   rectangles          against two-dimensional quadrature of P22; GGX as a parallelogram, Beckmann by quadrature per axis
@@ -147,7 +147,7 @@ class Beckmann:
 
     @staticmethod
     def radius(rng):
-        """Whitened distance from the centre: mostly the body, partly the tail."""
+        """Whitened distance from the center: mostly the body, partly the tail."""
         return rng.uniform(0, 3) if rng.random() < 0.7 else rng.uniform(3, 8)
 
     @staticmethod
@@ -536,7 +536,7 @@ def rectangle_inputs(lobe, rng, row):
     half = f32s(log_uniform(rng, 1e-5, 1e2), log_uniform(rng, 1e-5, 1e2))
 
     def around(half=half, alpha=alpha):
-        """The lobe's centre within a few sizes and widths."""
+        """The lobe's center within a few sizes and widths."""
         spread = min(lobe.radius(rng) / 2, 30)
         return f32s(*[rng.uniform(-1.5, 1.5) * h + rng.uniform(-1, 1) * spread * a for h, a in zip(half, alpha)])
 
@@ -671,7 +671,7 @@ def special_parallelogram(rng, which):
     big, sharp = (f32s(*circle(rng, 1e2)), f32s(*circle(rng, 1e2))), covariance(1e-4, 1e-4, 0)
     p, u, v, a = [
         lambda: (zero, u, v, a),
-        lambda: (along(zero, 0.5, d, 0.5, e), d, e, a),  # the lobe's centre on a corner,
+        lambda: (along(zero, 0.5, d, 0.5, e), d, e, a),  # the lobe's center on a corner,
         lambda: (along(zero, 0.5, d, n / 2, e), d, e, a),  # on an edge
         lambda: (along(zero, 0.5, d, n, e), d, e, a),  # and on an edge's line
         lambda: (point, d, parallel, a),  # no area
@@ -783,11 +783,11 @@ def gaussian_inputs(rng, row):
 
 
 # ---------------------------------------------------------------------------------------------------------------
-# Proxies: the alpha of a GGX that is as high at its centre as the filtered one
+# Proxies: the alpha of a GGX that is as high at its center as the filtered one
 
 
 def proxy_rectangle(alpha, width):
-    """1/(pi alpha'^2) is the mean of GGX over the square of this width around its centre."""
+    """1/(pi alpha'^2) is the mean of GGX over the square of this width around its center."""
     if not width:
         return alpha
     diagonal = mp.sqrt(4 * alpha**2 + width**2)
@@ -795,7 +795,7 @@ def proxy_rectangle(alpha, width):
 
 
 def proxy_gaussian(alpha, sigma):
-    """1/(pi alpha'^2) is GGX under N(0, sigma^2 I) at its centre."""
+    """1/(pi alpha'^2) is GGX under N(0, sigma^2 I) at its center."""
     if not sigma or not alpha:
         return mp.sqrt(2) * sigma if sigma else alpha
     k = 2 * sigma**2
@@ -1013,7 +1013,7 @@ TABLES = {
 
 
 def density(lobe, x, y, a):
-    """P22 of a centred lobe."""
+    """P22 of a centered lobe."""
     det = a[0] * a[2] - a[1] * a[1]
     q = quadratic(x, y, a[2], -a[1], a[0]) / det
     body = math.exp(-q) if lobe is Beckmann else 1 / (1 + q) ** 2
@@ -1082,16 +1082,16 @@ def isotropic(a_xx, a_xy, a_yy):
     return a_xx == a_yy and a_xy == 0 and a_xx > 1e-2
 
 
-def normalised(v):
+def normalized(v):
     norm = mp.sqrt(sum(mpf(x) ** 2 for x in v))
     return [x / norm for x in v]
 
 
 def check_d(lobe, tables):
-    """Angles assume unit vectors, so both sides take the row's directions normalised."""
+    """Angles assume unit vectors, so both sides take the row's directions normalized."""
 
     def at(m, a):
-        m = normalised(m)
+        m = normalized(m)
         return error(ndf(lobe)(*m, *map(mpf, a)), textbook_d(lobe, m[2], mp.sqrt(a[0])))
 
     rows = pick(tables[f"{lobe.name}_d"], lambda x, y, z, *a: isotropic(*a) and z > 0.1, 20)
@@ -1099,17 +1099,17 @@ def check_d(lobe, tables):
 
 
 def check_brdf(lobe, tables):
-    def centred(*row):
+    def centered(*row):
         return isotropic(*row[8:]) and row[6] == row[7] == 0 and min(row[2], row[5]) > 0.1
 
     def at(o, i, a):
-        o, i, alpha = normalised(o), normalised(i), mp.sqrt(a[0])
-        h = normalised([x + y for x, y in zip(o, i)])
+        o, i, alpha = normalized(o), normalized(i), mp.sqrt(a[0])
+        h = normalized([x + y for x, y in zip(o, i)])
         g2 = 1 / (1 + smith(lobe, o[2], alpha) + smith(lobe, i[2], alpha))
         textbook = textbook_d(lobe, h[2], alpha) * g2 / (4 * o[2] * i[2])
         return error(brdf(lobe)(*o, *i, 0, 0, *map(mpf, a)), textbook)
 
-    rows = pick(tables[f"{lobe.name}_brdf"], centred, 20)
+    rows = pick(tables[f"{lobe.name}_brdf"], centered, 20)
     return worst(at(row[:3], row[3:6], row[8:]) for row, _ in rows)
 
 
@@ -1156,7 +1156,7 @@ def check_brdf_parts(lobe, tables):
     def product(row):
         o, i, mean, a = list(map(mpf, row[:3])), list(map(mpf, row[3:6])), row[6:8], row[8:]
         (sigma_o, c_o), (sigma_i, c_i) = sigma_by_parts(lobe, o, mean, a), sigma_by_parts(lobe, i, mean, a)
-        h = normalised([x + y for x, y in zip(o, i)])
+        h = normalized([x + y for x, y in zip(o, i)])
         w = whiten((-h[0] / h[2] - mean[0], -h[1] / h[2] - mean[1]), *map(mpf, a))
         d = lobe.slope_pdf(dot(w, w), mp.sqrt(mpf(a[0]) * a[2] - mpf(a[1]) ** 2)) / h[2] ** 4
         return d / (sigma_o / c_o + sigma_i / c_i - 1) / (4 * c_o * c_i)
@@ -1177,12 +1177,12 @@ def projected(lobe, w, mean, a, sign):
     """Integral of max(0, sign w.(-s, 1)) P22(s) over s = x u + y v, u along w_xy: the kink is a line of constant x."""
     length = math.hypot(w[0], w[1])
     u = w[0] / length, w[1] / length
-    kink, centre = w[2] / length, (dot(u, mean), cross(u, mean))
+    kink, center = w[2] / length, (dot(u, mean), cross(u, mean))
 
     def integrand(x, tau):
         # In the tail of GGX the integrand widens with x: y in units of that width.
-        width = math.hypot(1, x - centre[0])
-        y = centre[1] + width * tau
+        width = math.hypot(1, x - center[0])
+        y = center[1] + width * tau
         s = x * u[0] - y * u[1] - mean[0], x * u[1] + y * u[0] - mean[1]
         return width * abs(w[2] - length * x) * density(lobe, *s, a)
 
@@ -1270,7 +1270,7 @@ def check_parallelogram_lines(_, tables):
             x = along(p, y, v)
             return ggx_segment(dot(x, e), length / 2, 1 + cross(x, e) ** 2)
 
-        # The integrand bends where a line passes the centre or an end comes close to it, over a whitened length of 1.
+        # The integrand bends where a line passes the center or an end comes close to it, over a whitened length of 1.
         half = mpf(1) / 2
         ends = [along(p, s, u) for s in (-half, half)]
         places = [-dot(x, v) / dot(v, v) for x in ends] + [-cross(p, e) / (cross(v, e) or 1)]
@@ -1354,7 +1354,7 @@ def check_mixture(_, tables):
 
 
 def check_peak(_, tables):
-    """At the centre, lobe and kernel isotropic: (1 - x e^x E1(x)) / (pi k), k = 2 sigma^2, x = alpha^2/k."""
+    """At the center, lobe and kernel isotropic: (1 - x e^x E1(x)) / (pi k), k = 2 sigma^2, x = alpha^2/k."""
 
     def peak(a, k):
         x = mpf(a) / k
@@ -1452,7 +1452,7 @@ def half_slope_numeric(e_x, e_y, e_z, l_x, l_y, l_z, b_11, b_12, b_22):
                 d = [p - q for p, q in zip(end, x)]
                 norm = mp.sqrt(sum(q * q for q in d))
                 g = [p + q / norm for p, q in zip(g, d)]
-            normal = normalised([dn[0], dn[1], mpf(1)])
+            normal = normalized([dn[0], dn[1], mpf(1)])
             tangent = [mpf(j == k) - dn[k] * mpf(j == 2) for j in range(3)]
             return sum(p * q for p, q in zip(g, tangent)) / sum(p * q for p, q in zip(g, normal))
 

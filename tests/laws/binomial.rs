@@ -166,7 +166,7 @@ fn it_is_continuous_in_the_probability() {
         let tail = source.uniform(0.001, 0.999);
         let step = 1e-9;
         let (here, there) = (Binomial::new(n, p), Binomial::new(n, p * (1.0 + step)));
-        // Between neighbours of the lattice, a tenth apart, a count changes by a few deviations at most.
+        // Between neighbors of the lattice, a tenth apart, a count changes by a few deviations at most.
         let mean = n * p;
         let slope = 40.0 * (1.0 + mean + (n - mean).abs().min(mean));
         near(there.draw(tail), here.draw(tail), 1e3 * step * slope, &(n, p, tail))

@@ -4,7 +4,7 @@
 #![allow(clippy::needless_range_loop, reason = "channels are a column of the cells")]
 
 use crate::common::{check, ensure};
-use lobe::material::glint::Cell;
+use lobe::material::cells::Cell;
 use std::collections::HashSet;
 
 /// Levels from far below to far above a texture.
@@ -20,7 +20,7 @@ fn the_same_place_has_the_same_numbers_on_every_level() {
     });
 }
 
-/// No two centres of a level share their numbers, nor two of different levels that are different places.
+/// No two centers of a level share their numbers, nor two of different levels that are different places.
 #[test]
 fn different_places_have_different_numbers() {
     for exponent in LEVELS {
@@ -128,7 +128,7 @@ fn channels_are_kept_apart() {
 }
 
 #[test]
-fn neighbours_are_independent_at_every_level() {
+fn neighbors_are_independent_at_every_level() {
     everywhere(|cells, place| {
         for channel in 0..CHANNELS {
             for [x, y] in [[1, 0], [0, 1], [1, 1], [1, -1], [2, 0], [0, 4], [8, 8]] {

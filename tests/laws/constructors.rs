@@ -6,8 +6,8 @@ use crate::common::{ULP, check, near, near_all};
 use core::f64::consts::{FRAC_PI_2, PI};
 use lobe::filter::tokuyoshi_deferred_alpha;
 use lobe::{
-    AxisAligned, Error, Footprint, Full, Ggx, Isotropic, Lobe, PixelFilter, Psd, Real, Roughness,
-    Shape, SlopeMoments, Tilted, Vertex,
+    Anisotropic, AxisAligned, Error, Footprint, Ggx, Isotropic, Lobe, LobeShape, NonCentered,
+    PixelFilter, Psd, Real, Roughness, SlopeMoments, Vertex,
 };
 use nalgebra::Matrix2;
 
@@ -62,7 +62,7 @@ fn every_error_is_reached_and_names_its_parameter() {
             refused(SlopeMoments::new(mean, psd), Error::Mean, "mean");
             refused(SlopeMoments::from_raw(mean, [0.0; 3]), Error::Mean, "mean");
             let shape = Isotropic::new(0.1).expect("alpha > 0");
-            refused(Tilted::new(shape, mean), Error::Mean, "mean");
+            refused(NonCentered::new(shape, mean), Error::Mean, "mean");
         }
         refused(Vertex::at([0.0, bad, 1.0]), Error::Direction, "direction");
         refused(Vertex::distant([0.0, 0.0, bad]), Error::Direction, "direction");
@@ -166,8 +166,8 @@ fn alphas_and_angle_come_back() {
         let back = Roughness::from_alphas(x, y, angle).expect("alphas > 0").alphas();
         let inputs = (x, y, angle, back);
         let (major, minor) = (x.max(y), x.min(y));
-        near(back.x, major, 8.0 * ULP * major, &inputs)?;
-        near(back.y, minor, 16.0 * ULP * minor, &inputs)?;
+        near(back.major, major, 8.0 * ULP * major, &inputs)?;
+        near(back.minor, minor, 16.0 * ULP * minor, &inputs)?;
         crate::common::ensure(
             back.angle > -FRAC_PI_2 && back.angle <= FRAC_PI_2,
             "a half turn",
@@ -272,9 +272,9 @@ fn a_lobe_keeps_what_it_was_made_of() {
             && lobe.roughness() == input.ellipse.roughness()
             && lobe.with_roughness(other).roughness() == other
             && lobe.with_roughness(other).mean() == input.mean
-            && Lobe::centred(other).mean() == [0.0; 2];
+            && Lobe::centered(other).mean() == [0.0; 2];
         crate::common::ensure(kept, "mean and roughness are kept", &input)?;
-        let full = Full::from(lobe.roughness());
+        let full = Anisotropic::from(lobe.roughness());
         let want = input.ellipse.root_det();
         // Rounded entries: an ulp over 1 - rho^2.
         let skew = 8.0 * ULP / (1.0 - input.ellipse.rho.abs());

@@ -4,7 +4,7 @@
 use crate::common::arbitrary::Source;
 use crate::common::reference::eigenvalues;
 use crate::common::{ULP, check, ensure, near};
-use lobe::filter::preset::Engine;
+use lobe::filter::engine::Engine;
 use lobe::filter::{
     ShadingFrame, kaplanyan_deferred_alpha, kaplanyan_deferred_alphas, largest_deferred_alpha,
     quad_normal_footprint, tokuyoshi_deferred_alpha, tokuyoshi_kaplanyan_deferred_alpha,

@@ -4,12 +4,12 @@
 
 use crate::common::marginals::{all, integral, small};
 use lobe::Error;
-use lobe::material::multilobe::{Dictionary, Means, Recipe};
+use lobe::material::multilobe::{Dictionary, LobeMeans, Recipe};
 
 /// Law C1: every density integrates to 1, is even and not negative; in f32 to 1e-6.
 #[test]
 fn every_marginal_is_a_density() {
-    for means in [Means::Stratified, Means::Published] {
+    for means in [LobeMeans::Stratified, LobeMeans::Chermain] {
         for (i, level, marginal) in all(&small(means)) {
             let whole = integral(|x| marginal.density(x), 64);
             assert!((whole - 1.0).abs() < 1e-12, "{i} {level}: {whole}");
@@ -33,7 +33,7 @@ fn every_marginal_is_a_density() {
 /// Law C2: level L has the first lobes of all that come after it: the same table, whatever the last level is.
 #[test]
 fn levels_are_nested() {
-    let dictionary = small(Means::Stratified);
+    let dictionary = small(LobeMeans::Stratified);
     for levels in [1, 4, 8] {
         let fewer = Recipe { levels, ..*dictionary.recipe() };
         let fewer = Dictionary::<f64>::new(&fewer).expect("valid");
@@ -46,7 +46,7 @@ fn levels_are_nested() {
             let next = dictionary.marginal(i, level + 1);
             for k in 0..=64 {
                 let x = f64::from(k) / 16.0;
-                // Half of it is never more than the next; but tables are normalised each by itself: a lobe that reaches past
+                // Half of it is never more than the next; but tables are normalized each by itself: a lobe that reaches past
                 // the end, or is cut by nodes, has another mass.
                 assert!(2.0 * next.density(x) >= 0.97 * marginal.density(x), "{i} {level} {x}");
             }
@@ -57,7 +57,7 @@ fn levels_are_nested() {
 /// The first level is one lobe and its mirror, of the width that was asked for; the second level less half of that is another.
 #[test]
 fn levels_are_sums_of_lobes() {
-    let dictionary = small(Means::Stratified);
+    let dictionary = small(LobeMeans::Stratified);
     let width = dictionary.recipe().width;
     let pair = |x: f64, mean: f64| {
         let lobe = |d: f64| (-0.5 * d * d / (width * width)).exp();
@@ -105,7 +105,7 @@ fn levels_are_sums_of_lobes() {
 /// The mean over marginals against the smooth lobe, with the figures stated: root mean square within two deviations.
 #[test]
 fn the_mean_of_all_marginals_is_smooth() {
-    let made = |means: Means| {
+    let made = |means: LobeMeans| {
         Dictionary::<f64>::new(&Recipe { means, ..Recipe::default() }).expect("valid")
     };
     let error = |dictionary: &Dictionary<f64>, level: u32| {
@@ -118,7 +118,7 @@ fn the_mean_of_all_marginals_is_smooth() {
         (squares.sum::<f64>() / 200.0).sqrt()
     };
     let levels = [0, 1, 2, 5, 8, 10];
-    let [independent, stratified] = [Means::Published, Means::Stratified].map(|means| {
+    let [independent, stratified] = [LobeMeans::Chermain, LobeMeans::Stratified].map(|means| {
         let dictionary = made(means);
         levels.map(|level| error(&dictionary, level))
     });
@@ -134,7 +134,7 @@ fn the_mean_of_all_marginals_is_smooth() {
 /// Variance over all marginals: 1, and as published wider by the lobes' own.
 #[test]
 fn the_variance_is_that_of_the_whole() {
-    for (means, excess) in [(Means::Stratified, 0.0), (Means::Published, 0.0032 + 0.00065)] {
+    for (means, excess) in [(LobeMeans::Stratified, 0.0), (LobeMeans::Chermain, 0.0032 + 0.00065)] {
         let recipe = Recipe { means, ..Recipe::default() };
         let dictionary = Dictionary::<f64>::new(&recipe).expect("valid");
         let level = recipe.levels - 1;
@@ -146,7 +146,7 @@ fn the_variance_is_that_of_the_whole() {
         // Cut at 4 deviations: 8 times the normal density there less. Independent lobes vary: six million of them, in pairs.
         let want = 1.0 + excess - 8.0 * 1.3383e-4;
         println!("{means:?}: {variance}");
-        let spread = if means == Means::Stratified { 2e-4 } else { 3.0 * 5.7e-4 };
+        let spread = if means == LobeMeans::Stratified { 2e-4 } else { 3.0 * 5.7e-4 };
         assert!((variance - want).abs() < spread, "{means:?}: {variance}");
     }
 }

@@ -2,7 +2,7 @@
 #![cfg(feature = "glint")]
 
 use lobe::Error;
-use lobe::material::multilobe::{Dictionary, Means, Recipe};
+use lobe::material::multilobe::{Dictionary, LobeMeans, Recipe};
 
 /// Bytes come back as they were; damaged, they say how.
 #[test]
@@ -11,7 +11,7 @@ fn damaged_bytes_are_refused() {
         marginals: 3,
         levels: 4,
         intervals: 64,
-        means: Means::Published,
+        means: LobeMeans::Chermain,
         seed: 5,
         ..Recipe::default()
     };

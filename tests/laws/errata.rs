@@ -155,7 +155,7 @@ fn kaplanyan_2016_eq_13_with_row_vectors_is_the_gram_matrix() {
 #[test]
 fn kaplanyan_2016_eq_13_and_tokuyoshis_quarter_are_the_same_quarter() {
     let footprint = Footprint::from_slopes([0.3, 0.1], [-0.05, 0.2]);
-    let half = footprint.scaled(0.5);
+    let half = footprint * 0.5;
     let want = carried(&footprint, 0.5);
     let eq_13 = Psd::outer_sum(half.u, half.v);
     let tokuyoshi = Kernel::of(&footprint, PixelFilter::KAPLANYAN).covariance();

@@ -1,8 +1,9 @@
 //! Errors of Zirr & Kaplanyan 2016, Listing 1: the printed line fails, ours holds. (Eq. 6 stands in errata.rs, and what
-//! only their shader has in glints_published.rs.)
+//! only their shader has in zirr_kaplanyan.rs.)
 #![cfg(feature = "glint")]
 
-use lobe::material::glint::{Binomial, Biscale, Cell, Glints, Grid, Patch};
+use lobe::material::cells::{Cell, Patch};
+use lobe::material::glint::{Binomial, Biscale, Glints, Grid};
 use std::collections::HashSet;
 
 /// Line 12 shifts the half vector by m0 = D_l(0) times a random number: a density, where a width is meant. Rough details
@@ -65,7 +66,7 @@ fn zirr_2016_listing_1_line_24_misses_the_sum_of_weights() {
     }
     let biscale = Biscale::from_fractions([0.5, 0.5], [0.2, 0.2]).expect("in range");
     let glints = Glints::new(biscale, 1e9).expect("in range");
-    let long = glints.lobe(&Patch::new([0.3, 0.4], [1.0, 0.0], [0.0, 16.0]));
+    let long = glints.ndf(&Patch::new([0.3, 0.4], [1.0, 0.0], [0.0, 16.0]));
     let whole: f64 = long.sparkle([0.0, 0.0, 1.0], 0.0);
     assert!((whole - 1.0).abs() < 0.01, "{whole}");
 }

@@ -3,7 +3,7 @@
 
 use crate::common::quadrature::adaptive;
 use core::f64::consts::PI;
-use lobe::material::leadr::{Grid, Irradiance, Leadr, Shadowing, cube_lod, published_cube_lod};
+use lobe::material::leadr::{Irradiance, Leadr, Quadrature, Shadowing, cube_lod, dupuy_cube_lod};
 use lobe::slope::direction::half_vector;
 use lobe::slope::jacobian::reflection_per_normal;
 use lobe::{Beckmann, Isotropic, Lobe, Roughness};
@@ -79,7 +79,7 @@ fn leadr_supplement_3_2_clamps_lambda_below_zero() {
     assert!((-6.2e-5..=-5.8e-5).contains(&least), "{least}");
 }
 
-/// The listing normalises the direction's projection, which straight from above has no length.
+/// The listing normalizes the direction's projection, which straight from above has no length.
 #[test]
 fn leadr_supplement_3_2_has_no_number_at_normal_incidence() {
     let projected = nalgebra::Vector2::new(0.0_f64, 0.0);
@@ -117,7 +117,7 @@ fn leadr_supplement_3_3_takes_the_half_vector_of_the_world() {
     let plane = wo[2] - 0.1 * wo[0];
     // The listing's last lines, with D as it is given.
     let listing = |d: f64| 0.25 / plane * d / (1.0 + lambda);
-    agree(surface.specular(wo, wi, Shadowing::Both), listing(density), 1e-12);
+    agree(surface.brdf_cos(wo, wi, Shadowing::Both), listing(density), 1e-12);
     // The same surface in another frame of the world: its X, Y, Z are the columns.
     let frame: Matrix3<f64> = *Rotation3::from_euler_angles(0.4, -0.7, 1.1).matrix();
     let world = frame * Vector3::from(h);
@@ -148,17 +148,17 @@ fn leadr_algorithm_2_adds_a_coefficient_to_itself() {
 /// The 5 x 5 grid of section 3.4 has 0.866 of the variance, and 1.84 for a kurtosis of 3.
 #[test]
 fn leadr_supplement_3_4_has_too_little_variance() {
-    let moment = |grid: &Grid<f64, 5>, degree: i32| -> f64 {
+    let moment = |grid: &Quadrature<f64, 5>, degree: i32| -> f64 {
         grid.nodes().iter().zip(grid.weights()).map(|(p, w)| w * p.powi(degree)).sum()
     };
-    let printed = Grid::<f64, 5>::published();
+    let printed = Quadrature::<f64, 5>::dupuy();
     for (&got, want) in printed.weights().iter().zip([0.0725_f64, 0.2443, 0.3663, 0.2443, 0.0725]) {
         assert!((got - want).abs() < 5e-5, "{got} for {want}");
     }
     agree(moment(&printed, 2), 0.866, 1e-3);
     agree(moment(&printed, 4), 1.84, 3e-3);
-    agree(moment(&Grid::hermite(), 2), 1.0, 1e-14);
-    agree(moment(&Grid::hermite(), 4), 3.0, 1e-14);
+    agree(moment(&Quadrature::hermite(), 2), 1.0, 1e-14);
+    agree(moment(&Quadrature::hermite(), 4), 3.0, 1e-14);
 }
 
 /// Three rules for one level of detail: Algorithm 1, section 3.5, and its rounded listing; none is a texel's solid angle.
@@ -174,5 +174,5 @@ fn leadr_supplement_has_three_levels_of_detail() {
     // 0.72 log J for half a binary logarithm: 0.2 %, and 4 hundredths of a level at J = 1e-10.
     let j = 1e-10_f64;
     assert!((0.72 * j.ln() - 0.5 * j.log2()).abs() > 0.03);
-    agree(published_cube_lod(omega, face, 128), section, 1e-12);
+    agree(dupuy_cube_lod(omega, face, 128), section, 1e-12);
 }

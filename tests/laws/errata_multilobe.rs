@@ -2,12 +2,12 @@
 #![cfg(feature = "glint")]
 
 use lobe::Roughness;
-use lobe::material::glint::Patch;
-use lobe::material::multilobe::{Dictionary, Marginal, Means, MultiLobe, Recipe};
+use lobe::material::cells::Patch;
+use lobe::material::multilobe::{Dictionary, LobeMeans, Marginal, MultiLobe, Recipe};
 use lobe::slope::direction::{normal_of, slope_of};
 use lobe::slope::{MeanFrame, jacobian::apply};
 
-fn dictionary(means: Means) -> Dictionary<f64> {
+fn dictionary(means: LobeMeans) -> Dictionary<f64> {
     Dictionary::new(&Recipe { means, ..Recipe::default() }).expect("valid")
 }
 
@@ -35,7 +35,7 @@ type Filter<'a> = &'a dyn Fn(&Marginal<'_, f64>, f64) -> f64;
 /// s_K of 1 over 1.2 of it; there is no s_K that is right for this pixel and for one along its axes.
 #[test]
 fn chermain_2021_eq_19_is_conservative_with_s_k_1_alone() {
-    let dictionary = dictionary(Means::Stratified);
+    let dictionary = dictionary(LobeMeans::Stratified);
     // What a filter adds to the variance: its kernel's own, in the mean over places and lobes.
     let variance = |filter: Filter<'_>| {
         let step = 1.0 / 128.0;
@@ -66,7 +66,7 @@ fn chermain_2021_eq_19_is_conservative_with_s_k_1_alone() {
 /// interval of what it has at 0: 2.5 % are expected on one axis, so 5 % of the light; of one marginal up to 40 % and more.
 #[test]
 fn chermain_2020_tables_are_read_half_a_texel_off() {
-    let dictionary = dictionary(Means::Published);
+    let dictionary = dictionary(LobeMeans::Chermain);
     let step = 1.0 / 16.0;
     let mass = |index: u32| {
         let marginal = dictionary.marginal(index, 0);
@@ -96,14 +96,14 @@ fn chermain_2020_tables_are_read_half_a_texel_off() {
 /// below, and every pixel jumps to the smooth lobe by 1 to 2 % of it.
 #[test]
 fn chermain_2020_leaves_too_early() {
-    let dictionary = dictionary(Means::Stratified);
+    let dictionary = dictionary(LobeMeans::Stratified);
     let roughness = Roughness::from_alpha(0.4).expect("in range");
     // Cells of size 1, and 4 to this power of facets in each.
     let step = |level: f64| {
         let facets = MultiLobe::new(roughness, 4.0_f64.powf(level)).expect("in range");
         let squares = (0..3000).map(|k| {
             let patch = Patch::new([0.37 * f64::from(k), 0.2], [1.0, 0.0], [0.0, 1.0]);
-            let pixel = facets.lobe(&dictionary, &patch);
+            let pixel = facets.ndf(&dictionary, &patch);
             (pixel.slope_pdf([0.2, 0.1]) / pixel.smooth().slope_pdf([0.2, 0.1]) - 1.0).powi(2)
         });
         (squares.sum::<f64>() / 3000.0).sqrt()

@@ -20,9 +20,9 @@ fn zero_changes_nothing<R: Real>(source: &mut Source, means: f64, polygons: f64)
     let inputs = (input, slope);
     ensure(lobe.widened(&kernel) == lobe, "a zero kernel widens nothing", &inputs)?;
     let other = Kernel::from_covariance(lobe.roughness().covariance());
-    ensure(other.then(&kernel) == other, "a zero kernel after another", &inputs)?;
-    ensure(kernel.then(&other) == other, "a zero kernel before another", &inputs)?;
-    ensure(footprint.rescaled(R::ONE) == footprint, "a point has no size", &inputs)?;
+    ensure(other + kernel == other, "a zero kernel after another", &inputs)?;
+    ensure(kernel + other == other, "a zero kernel before another", &inputs)?;
+    ensure(footprint.capped(R::ONE) == footprint, "a point has no size", &inputs)?;
     let moments = SlopeMoments::new(lobe.mean(), lobe.roughness().covariance());
     let moments = moments.expect("a finite mean");
     ensure(moments.lobe(Roughness::default()) == lobe, "moments over a mirror", &inputs)?;
@@ -55,7 +55,7 @@ fn widening_blunts<R: Real>(source: &mut Source) -> TestCaseResult {
     let inputs = (input, vectors);
     let few = 1.0 + 4.0 * R::EPSILON.to_f64();
     let [before, after] = [lobe, widened].map(|l| l.roughness().matrix());
-    let added = kernel.covariance().scaled(R::TWO);
+    let added = kernel.covariance() * R::TWO;
     let dets = [before, added, after].map(|m| m.root_det().to_f64());
     ensure(dets[2] * few >= dets[0].max(dets[1]), "the determinant grows", &(inputs, dets))?;
     let trace = after.trace().to_f64();
@@ -94,7 +94,7 @@ fn the_order_of_kernels_does_not_matter() {
         let ways = [
             base.widened(&one).widened(&two),
             base.widened(&two).widened(&one),
-            base.widened(&one.then(&two)),
+            base.widened(&(one + two)),
         ]
         .map(|l| l.roughness().matrix());
         let inputs = (lobe, vectors);
@@ -163,7 +163,7 @@ fn the_gaussian_mean_of_a_mirror_is_the_kernel() {
         let ellipse = source.mild_ellipse(30.0);
         let mean = source.mean();
         let [xx, xy, yy] = ellipse.entries();
-        let covariance = Psd::new(xx, xy, yy).expect("an ellipse").scaled(0.5);
+        let covariance = Psd::new(xx, xy, yy).expect("an ellipse") * 0.5;
         let mirror = Lobe::new(mean, Roughness::default()).expect("a finite mean");
         let w = source.vector(1e-3, 5.0);
         let input = crate::common::arbitrary::LobeInput { ellipse, mean };
@@ -215,7 +215,7 @@ fn variance_addition_is_as_wrong_as_documented() {
         let peak = (1.0 - x * scaled) / (PI * k);
         let kernel = (0.5 * k).sqrt();
         let kernel = Kernel::from_covariance(Psd::outer_sum([kernel, 0.0], [0.0, kernel]));
-        let lobe = Lobe::centred(Roughness::from_alpha(alpha).expect("alpha > 0"));
+        let lobe = Lobe::centered(Roughness::from_alpha(alpha).expect("alpha > 0"));
         let exact = ggx_gaussian_mean(&lobe, [0.0; 2], &kernel);
         assert!((exact / peak - 1.0).abs() < 1e-9, "{exact} {peak} at k/alpha^2 = {ratio}");
         let proxy = Ggx::new(lobe.widened(&kernel).shape()).slope_pdf([0.0; 2]);
@@ -228,7 +228,7 @@ fn variance_addition_is_as_wrong_as_documented() {
 fn footprints_scale_and_stay_within_limits() {
     check(10_000, |source| {
         let (footprint, factor) = (source.footprint(), source.log_uniform(1e-3, 1e3));
-        let scaled = footprint.scaled(factor);
+        let scaled = footprint * factor;
         let area = footprint.area() * factor * factor;
         near(
             scaled.area(),

@@ -3,7 +3,8 @@
 
 use crate::common::arbitrary::Source;
 use crate::common::{ODD, check, ensure, near};
-use lobe::material::glint::{ANISOTROPY_LIMIT, Covered, Grid, Patch};
+use lobe::material::cells::Patch;
+use lobe::material::glint::{ANISOTROPY_LIMIT, CoveredCell, Grid};
 use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 use std::collections::HashMap;
 
@@ -30,7 +31,7 @@ fn patch(source: &mut Source) -> Patch<f64> {
     }
     let uv = [0, 1].map(|_| match source.pick(4) {
         0 => 0.0,
-        // A cell's centre, and the middle between two.
+        // A cell's center, and the middle between two.
         1 => f64::from(source.pick(9) as i32 - 4) * 0.125,
         _ => source.uniform(-2.0, 2.0),
     });
@@ -46,7 +47,7 @@ fn stretch(source: &mut Source) -> [f64; 2] {
     }
 }
 
-fn cells(grid: &Grid<f64>) -> Vec<Covered<f64>> {
+fn cells(grid: &Grid<f64>) -> Vec<CoveredCell<f64>> {
     let mut cells = Vec::new();
     grid.visit(|cell| cells.push(cell));
     cells
@@ -95,7 +96,7 @@ fn cells_stand_next_to_the_pixel() {
         let grid = Grid::stretched(&patch, factors, 1e-12);
         let scaled = |v: [f64; 2]| Vector2::new(v[0] * factors[0], v[1] * factors[1]);
         let (uv, right, up) = (scaled(patch.uv), scaled(patch.right), scaled(patch.up));
-        for Covered { index, exponent, .. } in cells(&grid) {
+        for CoveredCell { index, exponent, .. } in cells(&grid) {
             let size = f64::powi(2.0, exponent);
             let offset = Vector2::from(index.map(|i| i as f64)) * size - uv;
             // In the parallelogram's own coordinates, grown by two cells each way.

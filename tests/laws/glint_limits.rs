@@ -3,7 +3,8 @@
 
 use crate::common::arbitrary::Source;
 use crate::common::{ODD, check, ensure, near};
-use lobe::material::glint::{Biscale, GlintLobe, Glints, Patch, light_blur};
+use lobe::material::cells::Patch;
+use lobe::material::glint::{Biscale, GlintNdf, Glints, light_blur};
 use lobe::slope::direction::{half_vector, normal_of, normalize, reflect, slope_of};
 use lobe::{Beckmann, Error, Kernel, Psd, Roughness, SlopeMoments};
 
@@ -42,7 +43,7 @@ fn probabilities_lie_in_0_to_1() {
         let (glints, h) = (glints(source), above(source));
         let blur = source.pick(2) as f64 * source.log_uniform(1e-8, 1e3);
         let kernel = Kernel::from_covariance(psd(source));
-        for pixel in [glints.lobe(&patch(source)), glints.lobe(&patch(source)).widened(&kernel)] {
+        for pixel in [glints.ndf(&patch(source)), glints.ndf(&patch(source)).widened(&kernel)] {
             let p = pixel.probability(h, blur);
             ensure((0.0..=1.0).contains(&p), "a probability", &(glints, h, blur, p))?;
         }
@@ -100,7 +101,7 @@ fn a_groove_is_the_same_along_its_length() {
             let (across, size) = (source.uniform(-3.0, 3.0), source.log_uniform(1e-3, 0.05));
             let at = |here: f64, across: f64| {
                 let (right, up) = (pair(size, 0.0), pair(0.0, 3.0 * size));
-                glints.lobe(&Patch::new(pair(across, here), right, up))
+                glints.ndf(&Patch::new(pair(across, here), right, up))
             };
             let h = normal_of(pair(source.uniform(-0.3, 0.3), source.uniform(-0.3, 0.3)));
             let here = at(source.uniform(-3.0, 3.0), across).sparkle(h, 0.0);
@@ -123,7 +124,7 @@ fn a_groove_is_the_same_along_its_length() {
 fn no_pixel_is_brighter_than_two_details() {
     check(30_000, |source| {
         let (glints, patch, h) = (glints(source), patch(source), above(source));
-        let pixel: GlintLobe<f64> = glints.lobe(&patch);
+        let pixel: GlintNdf<f64> = glints.ndf(&patch);
         let (sparkle, p) = (pixel.sparkle(h, 0.0), pixel.probability(h, 0.0));
         ensure(sparkle >= 0.0 && sparkle.is_finite(), "not a number", &(glints, patch, h))?;
         ensure(
@@ -141,11 +142,11 @@ fn nothing_jumps_as_the_pixel_moves() {
         let (glints, patch) = (glints(source), patch(source));
         // Along the surface's normal: no motion changes the bin.
         let h = [0.0, 0.0, 1.0];
-        let pixel = glints.lobe(&patch);
+        let pixel = glints.ndf(&patch);
         let size = f64::powi(2.0, pixel.grid().exponent());
         let step = 1e-9;
         let uv = patch.uv.map(|x| x + step * size);
-        let moved = glints.lobe(&Patch { uv, ..patch });
+        let moved = glints.ndf(&Patch { uv, ..patch });
         let p = pixel.probability(h, 0.0);
         // Shares change by a few steps; what they are shares of is at most 2/P.
         let allowed = 100.0 * step / p.max(1e-30);
@@ -159,15 +160,15 @@ fn masking_is_that_of_the_smooth_lobe() {
         let (glints, patch) = (glints(source), patch(source));
         let moments =
             SlopeMoments::new([source.uniform(-0.5, 0.5), 0.1], psd(source)).expect("in range");
-        let pixel = glints.lobe(&patch).over(&moments);
+        let pixel = glints.ndf(&patch).over(&moments);
         let (wo, wi) = (above(source), above(source));
         let radius = source.log_uniform(1e-4, 0.1);
-        let smooth = Beckmann::new(pixel.lobe().shape()).brdf(wo, wi);
+        let smooth = Beckmann::new(pixel.smooth_lobe().shape()).brdf(wo, wi);
         let h = half_vector(wo, wi);
         let want = smooth * pixel.sparkle(h, light_blur(wo, wi, radius));
         near(pixel.brdf(wo, wi, radius), want, 1e-12 * want, &(glints, wo, wi))?;
-        let pdf =
-            Beckmann::new(pixel.lobe().shape()).slope_pdf(slope_of(h)) * pixel.sparkle(h, 0.0);
+        let pdf = Beckmann::new(pixel.smooth_lobe().shape()).slope_pdf(slope_of(h))
+            * pixel.sparkle(h, 0.0);
         near(pixel.slope_pdf(h, 0.0), pdf, 1e-12 * pdf, &(glints, h))?;
         ensure(pixel.slope_pdf([0.6, 0.0, -0.8], 0.0) == 0.0, "below the horizon", &glints)?;
         ensure(pixel.brdf([0.6, 0.0, -0.8], wi, 0.0) == 0.0, "from below", &glints)
@@ -197,9 +198,9 @@ fn a_light_s_blur_is_the_area_of_its_half_vectors() {
                 slope_of(half_vector(wo, normalize(light)))
             })
             .collect();
-        let centre = slope_of(half_vector(wo, wi));
+        let center = slope_of(half_vector(wo, wi));
         let spokes: Vec<[f64; 2]> =
-            rim.iter().map(|s| [s[0] - centre[0], s[1] - centre[1]]).collect();
+            rim.iter().map(|s| [s[0] - center[0], s[1] - center[1]]).collect();
         let turns = spokes.iter().zip(spokes.iter().cycle().skip(1));
         let area: f64 = turns.map(|(a, b)| 0.5 * (a[0] * b[1] - a[1] * b[0])).sum();
         let want = area.abs() / core::f64::consts::PI;
@@ -227,7 +228,7 @@ fn any_input_gives_a_number() {
         let wide = Psd::outer_sum([1e5, 0.0], [0.0, clean(any(), [0.0, 1e9])]);
         let moments = SlopeMoments::new([clean(any(), [-1e9, 1e9]), 0.0], wide).expect("in range");
         let (h, blur) = ([any(), any(), any()], any());
-        for pixel in [glints.lobe(&patch), glints.lobe(&patch).over(&moments)] {
+        for pixel in [glints.ndf(&patch), glints.ndf(&patch).over(&moments)] {
             let unit = normalize(h);
             let results = [
                 pixel.sparkle(unit, blur),

@@ -4,8 +4,9 @@
 use crate::common::arbitrary::Source;
 use crate::common::quadrature::midpoints;
 use crate::common::size::size;
+use lobe::material::cells::Patch;
 use lobe::material::glint::{
-    Biscale, Covered, GlintLobe, Glints, Grid, Patch, Published, hue_wheel,
+    Biscale, CoveredCell, GlintNdf, Glints, Grid, ZirrKaplanyan, hue_wheel,
 };
 use lobe::slope::direction::{normal_of, normalize};
 use lobe::{Beckmann, Isotropic, Psd, Roughness, SlopeMoments};
@@ -33,7 +34,7 @@ fn over_pixels(
 ) -> (f64, f64) {
     let (mut sum, mut squares) = (0.0, 0.0);
     for k in 0..count {
-        let x = glints.lobe(&patch(k)).sparkle(h, blur);
+        let x = glints.ndf(&patch(k)).sparkle(h, blur);
         sum += x;
         squares += x * x;
     }
@@ -50,7 +51,7 @@ fn one_cell_varies_as_its_binomial_number() {
         [(100.0, [0.0, 0.0, 1.0], 17.35), (100.0, along, 47.2), (1e4, [0.0, 0.0, 1.0], 0.1735)];
     for (n, h, stated) in cases {
         let glints = snow(n);
-        let p = glints.lobe(&cell(0)).probability(h, 0.0);
+        let p = glints.ndf(&cell(0)).probability(h, 0.0);
         let law = (1.0 - p) / (n * p);
         assert!((law / stated - 1.0).abs() < 1e-3, "{law}, stated {stated}");
         let (mean, variance) = over_pixels(&glints, h, 0.0, COUNT, cell);
@@ -97,7 +98,7 @@ fn the_mean_is_the_smooth_lobe() {
         let count = 20_000;
         let (mean, variance) = over_pixels(&glints, h, blur, count, patch);
         let deviation = mean * (variance / f64::from(count)).sqrt();
-        let p = glints.lobe(&patch(0)).probability(h, blur);
+        let p = glints.ndf(&patch(0)).probability(h, blur);
         // Too rare to be met: the sample has no estimate of its own deviation.
         let rarest = p * density.max(1.0) * f64::from(count);
         if rarest > 200.0 {
@@ -141,7 +142,7 @@ fn integral(alpha: f64, stated: f64) {
     let (mut sum, mut squares) = (0.0, 0.0);
     let smooth = Beckmann::new(Isotropic::new(alpha).expect("in range"));
     for k in 0..count {
-        let pixel: GlintLobe<f64> = glints.lobe(&cell(k));
+        let pixel: GlintNdf<f64> = glints.ndf(&cell(k));
         let integral = midpoints(3.2 * alpha, nodes, |slope| {
             smooth.slope_pdf(slope) * pixel.sparkle(normal_of(slope), 0.0)
         });
@@ -175,7 +176,7 @@ fn many_details_are_smooth() {
         let glints = snow(density);
         let count = 20_000;
         let (mean, variance) = over_pixels(&glints, h, 0.0, count, patch);
-        let p = glints.lobe(&patch(0)).probability(h, 0.0);
+        let p = glints.ndf(&patch(0)).probability(h, 0.0);
         // Cells that both levels have draw one uniform number for two counts.
         let [_, together] = laws(density, p, count, patch, ours);
         let law = together / (density * patch(0).area() * p);
@@ -194,7 +195,7 @@ fn laws(
     p: f64,
     count: u32,
     patch: impl Fn(u32) -> Patch<f64>,
-    visit: impl Fn(&Patch<f64>, &mut dyn FnMut(Covered<f64>)),
+    visit: impl Fn(&Patch<f64>, &mut dyn FnMut(CoveredCell<f64>)),
 ) -> [f64; 2] {
     let mut sums = [0.0; 2];
     for k in 0..count {
@@ -212,7 +213,7 @@ fn laws(
 }
 
 /// The cells of a pixel, as [`Grid`] has them.
-fn ours(patch: &Patch<f64>, f: &mut dyn FnMut(Covered<f64>)) {
+fn ours(patch: &Patch<f64>, f: &mut dyn FnMut(CoveredCell<f64>)) {
     Grid::new(patch, 1e-9).visit(f);
 }
 
@@ -239,8 +240,8 @@ fn the_variance_of_a_pixel_ripples_as_stated() {
     ];
     let (density, h) = (2e3, [0.0, 0.0, 1.0]);
     let glints = snow(density);
-    let p = glints.lobe(&cell(0)).probability(h, 0.0);
-    let published = Published::new(glints.biscale(), density).expect("in range");
+    let p = glints.ndf(&cell(0)).probability(h, 0.0);
+    let published = ZirrKaplanyan::new(glints.biscale(), density).expect("in range");
     for (aspect, figures) in stated {
         for &(eighths, figure) in figures {
             let width = f64::exp2(eighths as f64 / 8.0);
@@ -271,7 +272,7 @@ fn the_variance_of_a_pixel_ripples_as_stated() {
 #[test]
 fn turned_pixels_vary_as_straight_ones() {
     let (density, h) = (2e3, [0.0, 0.0, 1.0]);
-    let p = snow(density).lobe(&cell(0)).probability(h, 0.0);
+    let p = snow(density).ndf(&cell(0)).probability(h, 0.0);
     for width in [1.0, 1.4] {
         let varies = |turn: f64| {
             let (sin, cos) = turn.sin_cos();
@@ -290,23 +291,23 @@ fn turned_pixels_vary_as_straight_ones() {
     }
 }
 
-/// Colours average to the sparkle, channel by channel, and to white where details are many.
+/// Colors average to the sparkle, channel by channel, and to white where details are many.
 #[test]
-fn colours_keep_the_mean() {
+fn colors_keep_the_mean() {
     let h = [0.0, 0.0, 1.0];
     for density in [100.0, 1e6] {
         let glints = snow(density);
         let (mut sums, mut white, mut spread) = ([0.0; 3], 0.0, 0.0);
         let count = 100_000;
         for k in 0..count {
-            let pixel = glints.lobe(&cell(k));
-            let colour = pixel.coloured_sparkle(h, 0.0, hue_wheel);
-            assert!(colour.iter().all(|x| *x >= 0.0));
-            for (sum, x) in sums.iter_mut().zip(colour) {
+            let pixel = glints.ndf(&cell(k));
+            let color = pixel.colored_sparkle(h, 0.0, hue_wheel);
+            assert!(color.iter().all(|x| *x >= 0.0));
+            for (sum, x) in sums.iter_mut().zip(color) {
                 *sum += x / f64::from(count);
             }
             white += pixel.sparkle(h, 0.0) / f64::from(count);
-            spread += (colour[0] - colour[2]).abs() / f64::from(count);
+            spread += (color[0] - color[2]).abs() / f64::from(count);
         }
         for sum in sums {
             assert!((sum / white - 1.0).abs() < 0.03, "{density}: {sum} of {white}");
@@ -326,9 +327,9 @@ fn moments_enter_through_the_global_roughness() {
     let h = normal_of([0.35, 0.0]);
     let (mut sum, count) = (0.0, 40_000);
     for k in 0..count {
-        sum += glints.lobe(&cell(k)).over(&moments).slope_pdf(h, 0.0);
+        sum += glints.ndf(&cell(k)).over(&moments).slope_pdf(h, 0.0);
     }
-    let whole = biscale.global().plus(&Roughness::from_covariance(covariance));
+    let whole = biscale.global() + Roughness::from_covariance(covariance);
     let lobe = lobe::Lobe::new([0.3, -0.1], whole).expect("in range");
     let want = Beckmann::new(lobe.shape()).slope_pdf([0.35, 0.0]);
     assert!(
@@ -340,12 +341,15 @@ fn moments_enter_through_the_global_roughness() {
 
 #[test]
 fn maps_over_maps_add_means_and_covariances() {
-    let glints = snow(100.0).lobe(&cell(0));
+    let glints = snow(100.0).ndf(&cell(0));
     let map = |mean: [f64; 2]| {
         SlopeMoments::new(mean, Psd::new(0.01, 0.0, 0.02).expect("in range")).expect("in range")
     };
     let (a, b) = (map([0.2, 0.0]), map([0.0, 0.1]));
-    assert_eq!(glints.over(&a).over(&b).lobe().mean(), glints.over(&a.plus(&b)).lobe().mean());
+    assert_eq!(
+        glints.over(&a).over(&b).smooth_lobe().mean(),
+        glints.over(&(a + b)).smooth_lobe().mean()
+    );
     assert_eq!(glints.over(&a).over(&SlopeMoments::default()), glints.over(&a));
 }
 
@@ -354,7 +358,7 @@ fn maps_over_maps_add_means_and_covariances() {
 fn a_pixel_within_a_cell_has_its_count() {
     let glints = snow(100.0);
     let h = normalize([0.1, 0.2, 1.0]);
-    let pixel = glints.lobe(&cell(5));
+    let pixel = glints.ndf(&cell(5));
     let mut count = 0;
     Grid::new(&cell(5), 0.1).visit(|_| count += 1);
     assert_eq!(count, 1);

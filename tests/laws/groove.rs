@@ -5,7 +5,10 @@ use crate::common::quadrature::adaptive;
 use crate::common::{check, ensure, near};
 use core::f64::consts::{FRAC_1_PI, PI};
 use lobe::filter::beckmann_rectangle_mean;
-use lobe::{AxisAligned, Footprint, Full, Ggx, Isotropic, Psd, Real, Roughness, Shape, Tilted};
+use lobe::{
+    Anisotropic, AxisAligned, Footprint, Ggx, Isotropic, LobeShape, NonCentered, Psd, Real,
+    Roughness,
+};
 use proptest::test_runner::TestCaseResult;
 
 /// Alphas from one that a pixel resolves to 0, through those whose squares f32 does not have.
@@ -41,8 +44,8 @@ fn pixel<R: Real>(source: &mut Source) -> (Footprint<R>, Footprint<f64>) {
     (Footprint { u, v }, Footprint { u: exact_u, v: exact_v })
 }
 
-/// A centre from which the lobe's mean lies at these parts of the sides.
-fn centre_at<R: Real>(
+/// A center from which the lobe's mean lies at these parts of the sides.
+fn center_at<R: Real>(
     mean: [f64; 2],
     over: &Footprint<f64>,
     [i, j]: [f64; 2],
@@ -51,8 +54,8 @@ fn centre_at<R: Real>(
 }
 
 /// Distance from a point to the footprint's border, and whether the point lies within.
-fn border(point: [f64; 2], centre: [f64; 2], over: &Footprint<f64>) -> (f64, bool) {
-    let at = |i: f64, j: f64| [0, 1].map(|k| centre[k] + i * over.u[k] + j * over.v[k] - point[k]);
+fn border(point: [f64; 2], center: [f64; 2], over: &Footprint<f64>) -> (f64, bool) {
+    let at = |i: f64, j: f64| [0, 1].map(|k| center[k] + i * over.u[k] + j * over.v[k] - point[k]);
     let corners = [at(-0.5, -0.5), at(0.5, -0.5), at(0.5, 0.5), at(-0.5, 0.5)];
     let turn = cross(over.u, over.v).signum();
     let (mut nearest, mut inside) = (f64::INFINITY, true);
@@ -74,7 +77,7 @@ fn a_mirror_seen_in_a_pixel_is_as_bright_as_its_area_is_small() {
     for alpha in DECADES.map(|alpha| alpha as f32).into_iter().filter(|alpha| *alpha <= 1e-7) {
         let lobe = Roughness::from_alpha(alpha).expect("in range");
         let round = Ggx::new(Isotropic::new(alpha).expect("in range")).brdf_over(wo, wi, &over);
-        let full = Ggx::new(Full::new(lobe)).brdf_over(wo, wi, &over);
+        let full = Ggx::new(Anisotropic::new(lobe)).brdf_over(wo, wi, &over);
         for got in [round, full] {
             assert!((got / 3906.25 - 1.0).abs() < 1e-6, "{got} at alpha {alpha:e}");
         }
@@ -95,24 +98,25 @@ fn tends_to_the_mirror<R: Real>(source: &mut Source) -> TestCaseResult {
         1 => [source.uniform(-1.5, 1.5), source.uniform(-1.5, 1.5)],
         _ => [0.5 + source.log_uniform(1e-5, 0.1) * source.sign(), source.uniform(-0.6, 0.6)],
     };
-    let (centre, exact) = centre_at::<R>(exact_mean, &over, at);
+    let (center, exact) = center_at::<R>(exact_mean, &over, at);
     let (distance, inside) = border(exact_mean, exact, &over);
     let area = over.area();
     let want = if inside { 1.0 } else { 0.0 };
     for alpha in DECADES {
         let alpha = R::lit(alpha);
-        let round = Tilted::new(Isotropic::new(alpha).expect("in range"), mean).expect("finite");
-        let full = Full::new(Roughness::from_alpha(alpha).expect("in range"));
-        let full = Tilted::new(full, mean).expect("finite");
+        let round =
+            NonCentered::new(Isotropic::new(alpha).expect("in range"), mean).expect("finite");
+        let full = Anisotropic::new(Roughness::from_alpha(alpha).expect("in range"));
+        let full = NonCentered::new(full, mean).expect("finite");
         let got = [
-            Ggx::new(round).parallelogram_mean(centre, &footprint),
-            Ggx::new(full).parallelogram_mean(centre, &footprint),
+            Ggx::new(round).parallelogram_mean(center, &footprint),
+            Ggx::new(full).parallelogram_mean(center, &footprint),
         ];
         let exact_alpha = alpha.to_f64();
         let beyond = exact_alpha * exact_alpha;
         let beyond = beyond / (beyond + distance * distance);
         for got in got {
-            let inputs = (alpha, mean, centre, footprint, got);
+            let inputs = (alpha, mean, center, footprint, got);
             near(got.to_f64() * area, want, beyond + stated::<R>(), &inputs)?;
             let exactly = alpha > R::ZERO || inside || got == R::ZERO;
             ensure(exactly, "a mirror outside is not seen", &inputs)?;
@@ -155,7 +159,7 @@ fn a_mirror_on_the_border_is_half_seen() {
 fn chord(axis: [f64; 2], offset: [f64; 2], over: &Footprint<f64>) -> Option<[f64; 2]> {
     let area = cross(over.u, over.v);
     let parts = |w: [f64; 2]| [cross(w, over.v) / area, cross(over.u, w) / area];
-    // The mean lies at -offset from the centre.
+    // The mean lies at -offset from the center.
     let (start, step) = (parts(offset.map(|x| -x)), parts(axis));
     let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
     for k in 0..2 {
@@ -208,29 +212,30 @@ fn groove_mean(alpha: f64, axis: [f64; 2], offset: [f64; 2], over: &Footprint<f6
     ends.windows(2).map(piece).sum::<f64>() / over.area()
 }
 
-/// Along the axes, in any direction, centred and tilted; the line passes the footprint anywhere.
+/// Along the axes, in any direction, centered and tilted; the line passes the footprint anywhere.
 fn a_groove_is_its_chord<R: Real>(source: &mut Source) -> TestCaseResult {
     let (footprint, over) = pixel::<R>(source);
     let (mean, exact_mean) = single::<R>(source.vector(1e-3, 3.0));
     let at = [source.uniform(-1.5, 1.5), source.uniform(-1.5, 1.5)];
-    let (centre, exact) = centre_at::<R>(exact_mean, &over, at);
+    let (center, exact) = center_at::<R>(exact_mean, &over, at);
     let offset = [exact[0] - exact_mean[0], exact[1] - exact_mean[1]];
     let alpha = R::lit(source.log_uniform(1e-6, 10.0));
     let ridge = source.vector(1e-6, 10.0).map(R::lit);
-    let aligned =
-        |x, y| Tilted::new(AxisAligned::new(x, y).expect("in range"), mean).expect("a finite mean");
-    let along_x = Ggx::new(aligned(alpha, R::ZERO)).parallelogram_mean(centre, &footprint);
-    let along_y = Ggx::new(aligned(R::ZERO, alpha)).parallelogram_mean(centre, &footprint);
+    let aligned = |x, y| {
+        NonCentered::new(AxisAligned::new(x, y).expect("in range"), mean).expect("a finite mean")
+    };
+    let along_x = Ggx::new(aligned(alpha, R::ZERO)).parallelogram_mean(center, &footprint);
+    let along_y = Ggx::new(aligned(R::ZERO, alpha)).parallelogram_mean(center, &footprint);
     let matrix = Psd::outer_sum(ridge, [R::ZERO; 2]);
-    let turned = Full::new(Roughness::from_matrix(matrix));
+    let turned = Anisotropic::new(Roughness::from_matrix(matrix));
     // The axis that the rounded entries have.
     let [xx, xy, yy] = matrix.entries().map(R::to_f64);
     let row = if xx >= yy { [xx, xy] } else { [xy, yy] };
     let length = row[0].hypot(row[1]);
     let turned_axis = row.map(|x| x / length);
     let turned_alpha = length / xx.max(yy).sqrt();
-    let turned = Tilted::new(turned, mean).expect("a finite mean");
-    let turned = Ggx::new(turned).parallelogram_mean(centre, &footprint);
+    let turned = NonCentered::new(turned, mean).expect("a finite mean");
+    let turned = Ggx::new(turned).parallelogram_mean(center, &footprint);
     let exact_alpha = alpha.to_f64();
     let cases = [
         (along_x, [1.0, 0.0], exact_alpha),
@@ -251,7 +256,7 @@ fn a_groove_is_its_chord<R: Real>(source: &mut Source) -> TestCaseResult {
         let peak = marginal(alpha, (nearest - shift).max(0.0)) / angle;
         let slack = peak * (shift / short.max(shift)).min(1.0)
             + want * 4.0 * shift / (alpha.hypot(nearest));
-        let inputs = (axis, alpha, mean, centre, footprint);
+        let inputs = (axis, alpha, mean, center, footprint);
         near(got.to_f64(), want, (0.1 * stated::<R>()) * want + slack, &inputs)?;
     }
     Ok(())
@@ -284,8 +289,8 @@ fn a_segment_across_a_groove_has_a_mean() {
 /// (h/d)^2/4 on either side, and by what its width adds to alpha across the edges that the line crosses.
 fn tends_to_the_groove<R: Real>(source: &mut Source) -> TestCaseResult {
     let (footprint, over) = pixel::<R>(source);
-    let (centre, exact) =
-        centre_at::<R>([0.0; 2], &over, [source.uniform(-1.0, 1.0), source.uniform(-1.0, 1.0)]);
+    let (center, exact) =
+        center_at::<R>([0.0; 2], &over, [source.uniform(-1.0, 1.0), source.uniform(-1.0, 1.0)]);
     let alpha = R::lit(source.log_uniform(1e-2, 3.0));
     let exact_alpha = alpha.to_f64();
     let across_x = source.pick(2) == 0;
@@ -298,7 +303,7 @@ fn tends_to_the_groove<R: Real>(source: &mut Source) -> TestCaseResult {
         let narrow = R::lit(narrow);
         let (x, y) = if across_x { (narrow, alpha) } else { (alpha, narrow) };
         let shape = AxisAligned::new(x, y).expect("in range");
-        let got = Ggx::new(shape).parallelogram_mean(centre, &footprint).to_f64() * over.area();
+        let got = Ggx::new(shape).parallelogram_mean(center, &footprint).to_f64() * over.area();
         let h = narrow.to_f64();
         let edges: f64 = [over.u, over.v]
             .iter()
@@ -310,7 +315,7 @@ fn tends_to_the_groove<R: Real>(source: &mut Source) -> TestCaseResult {
             .sum();
         let beyond = (h / clear) * (h / clear);
         let tolerance = beyond + edges + stated::<R>() * want.max(0.1);
-        near(got, want, tolerance, &(narrow, alpha, axis, centre, footprint))?;
+        near(got, want, tolerance, &(narrow, alpha, axis, center, footprint))?;
     }
     Ok(())
 }
@@ -359,7 +364,7 @@ fn a_mirror_s_brdf_is_its_normal_s<R: Real>(source: &mut Source) -> TestCaseResu
     let (distance, inside) = border(exact_mean, slope, &over);
     for alpha in DECADES.into_iter().filter(|alpha| *alpha <= 1e-9) {
         let round = Isotropic::new(R::lit(alpha)).expect("in range");
-        let ggx = Ggx::new(Tilted::new(round, mean).expect("a finite mean"));
+        let ggx = Ggx::new(NonCentered::new(round, mean).expect("a finite mean"));
         let secant2 = 1.0 + dot(exact_mean, exact_mean);
         let visible = ggx.visibility(pair[0], pair[1]).to_f64();
         let whole = visible * secant2 * secant2 / over.area();
@@ -395,7 +400,7 @@ fn the_brdf_of_a_narrowing_brushed_lobe_has_no_step() {
         for angle in [0.0_f32, 0.7, 1.3, 2.5] {
             let brdf = |alpha: f32| {
                 let roughness = Roughness::from_alphas(0.3, alpha, angle).expect("in range");
-                Ggx::new(Full::new(roughness)).brdf_over(wo, wi, &over)
+                Ggx::new(Anisotropic::new(roughness)).brdf_over(wo, wi, &over)
             };
             let groove = brdf(0.0);
             for alpha in DECADES.into_iter().filter(|alpha| *alpha <= 1e-5) {
@@ -519,8 +524,8 @@ fn the_proxy_of_a_groove_has_its_peak() {
     let over = Footprint::from_slopes([0.2_f64, 0.1], [-0.1, 0.3]);
     for angle in [0.0, 0.7, 2.0] {
         let groove = Roughness::from_alphas(0.3, 0.0, angle).expect("a groove");
-        let mean = Ggx::new(Full::new(groove)).parallelogram_mean([0.0, 0.0], &over);
-        let proxy = Full::new(groove.peak_matched_over(&over));
+        let mean = Ggx::new(Anisotropic::new(groove)).parallelogram_mean([0.0, 0.0], &over);
+        let proxy = Anisotropic::new(groove.peak_matched_over(&over));
         let peak = Ggx::new(proxy).slope_pdf([0.0, 0.0]);
         assert!((peak / mean - 1.0).abs() < 1e-9, "{peak} for {mean}");
     }
@@ -532,7 +537,7 @@ fn a_correlation_of_one_is_a_groove() {
     let over = Footprint::from_slopes([0.2_f64, 0.05], [-0.1, 0.3]);
     for (x, y, rho) in [(0.1, 0.3, 1.0), (0.2, 0.2, -1.0), (1e-6, 0.4, 1.0)] {
         let roughness = Roughness::from_sigma_rho(x, y, rho).expect("in range");
-        let got = Ggx::new(Full::new(roughness)).parallelogram_mean([0.01, -0.02], &over);
+        let got = Ggx::new(Anisotropic::new(roughness)).parallelogram_mean([0.01, -0.02], &over);
         let length = f64::hypot(x, y);
         let axis = [x / length, rho * y / length];
         // A = 2 Sigma.
@@ -563,8 +568,8 @@ fn odd_numbers_have_a_mean<R: Real>(source: &mut Source) -> TestCaseResult {
     let pair = source.pair().map(|w| w.map(R::lit));
     let angle = R::lit(source.angle());
     let mean = source.mean().map(R::lit);
-    let full = Full::new(Roughness::from_alphas(x, y, angle).expect("in range"));
-    let full = Tilted::new(full, mean).expect("a finite mean");
+    let full = Anisotropic::new(Roughness::from_alphas(x, y, angle).expect("in range"));
+    let full = NonCentered::new(full, mean).expect("a finite mean");
     let aligned = AxisAligned::new(x, y).expect("in range");
     let got = [
         Ggx::new(full).parallelogram_mean([s, t], &footprint),
@@ -592,7 +597,7 @@ fn the_major_axis_is_that_of_the_matrix() {
         let ellipse = source.ellipse();
         let roughness = ellipse.roughness::<f64>();
         let eigen = roughness.matrix().eigen();
-        let (axis, alpha) = Full::new(roughness).major();
+        let (axis, alpha) = Anisotropic::new(roughness).major();
         // One row of A is the axis up to the minor eigenvalue.
         let aspect = (eigen.minor / eigen.major).sqrt();
         let turn = cross(axis, eigen.axis).abs();

@@ -35,7 +35,7 @@ fn engines_disagree_by_four_and_variance_takes_the_larger() {
         // The variance per axis of what normals tilt, sin^2/2, to first order that of slopes.
         let variance = 0.5 * over_lobe(kappa, &|cos| 1.0 - cos * cos);
         let beckmann = Roughness::from_sigma_rho(variance.sqrt(), variance.sqrt(), 0.0);
-        let right = beckmann.expect("deviations").alphas().x;
+        let right = beckmann.expect("deviations").alphas().major;
         let of = |widening: VmfWidening| widening.alpha(0.0, length).expect("a length");
         let (half, whole) = (of(VmfWidening::THE_ORDER), of(VmfWidening::SPECULAR_AA));
         assert!((whole * whole / (half * half) - 4.0).abs() < 1e-12);

@@ -100,7 +100,7 @@ fn kernels_are_the_half_vector_s_derivatives_by_the_light() {
 /// The light's reflection against the widened lobe's: off by the order of 1/lambda.
 fn reflection(wo: V3, wi: V3, alpha: f64, sharpness: f64) -> [f64; 2] {
     let light = SphericalGaussian::new(wi, sharpness).unwrap();
-    let lobe = Lobe::centred(Roughness::from_alpha(alpha).unwrap());
+    let lobe = Lobe::centered(Roughness::from_alpha(alpha).unwrap());
     let widened = lobe.widened(&light.kernel(wo));
     let (sharp, wide) = (lobe.shape(), widened.shape());
     let lit = |brdf: f64| light.integral() * brdf * wi[2];
@@ -147,7 +147,7 @@ fn lights_and_pixels_add_and_footprints_agree() {
         Kernel::of(&light.footprint(wo), PixelFilter::with_variance(1.0 / 400.0).unwrap());
     let kernel = light.kernel(wo);
     let pixel = Kernel::of(&Footprint::rectangle([0.1, 0.1]), PixelFilter::BOX);
-    let both = kernel.then(&pixel).covariance().entries();
+    let both = (kernel + pixel).covariance().entries();
     for k in 0..3 {
         let [a, b] = [kernel, by_footprint].map(|k| k.covariance().entries());
         assert!((a[k] - b[k]).abs() < 1e-15);
@@ -180,7 +180,7 @@ fn lights_out_of_range_are_refused() {
     for bad in [[0.0_f64; 3], [f64::NAN, 0.0, 1.0], [f64::INFINITY, 0.0, 1.0]] {
         assert_eq!(SphericalGaussian::new(bad, 1.0), Err(Error::Direction));
     }
-    // The least sharpness that f32 has is a wide light like its neighbours.
+    // The least sharpness that f32 has is a wide light like its neighbors.
     let wide = |sharpness: f32| {
         let light = SphericalGaussian::new([0.0, 0.0, 1.0], sharpness).unwrap();
         light.kernel([0.0, 0.0, 1.0]).covariance().entries()[0]

@@ -3,7 +3,7 @@
 
 use crate::common::{check, near, near_all};
 use core::f64::consts::PI;
-use lobe::material::leadr::{CubeMap, Irradiance, Light, cube_lod, published_cube_lod};
+use lobe::material::leadr::{CubeMap, Irradiance, Light, cube_lod, dupuy_cube_lod};
 use lobe::{Error, slope::direction::normalize};
 
 /// The direction of a point on a face in [-1, 1]^2, as the Vulkan specification tabulates sc, tc and ma.
@@ -20,10 +20,10 @@ fn on_face(face: usize, s: f64, t: f64) -> [f64; 3] {
 
 /// A map that shows a function of the direction.
 fn painted(face: usize, paint: impl Fn([f64; 3]) -> [f64; 3]) -> CubeMap<f64, Vec<[f64; 3]>> {
-    let centre = |k: usize| (2 * k + 1) as f64 / face as f64 - 1.0;
+    let center = |k: usize| (2 * k + 1) as f64 / face as f64 - 1.0;
     let texels = (0..6 * face * face).map(|place| {
         let (of, row, column) = (place / (face * face), place / face % face, place % face);
-        paint(normalize(on_face(of, centre(column), centre(row))))
+        paint(normalize(on_face(of, center(column), center(row))))
     });
     let mut texels: Vec<_> = texels.collect();
     texels.resize(CubeMap::<f64, Vec<[f64; 3]>>::texels(face), [0.0; 3]);
@@ -62,7 +62,7 @@ fn levels_are_means_and_solid_angles_choose_them() {
     for lod in [0.0, 1.5, 4.0, 99.0, -3.0] {
         near(map.lookup(up, lod)[0], 1.0, 1e-15, &lod).unwrap_or_else(|e| panic!("{e}"));
     }
-    // A face of the sides is half bright, at its last level grey.
+    // A face of the sides is half bright, at its last level gray.
     near(map.lookup([1.0, 0.0, 0.0], 4.0)[1], 0.5, 1e-15, &"side")
         .unwrap_or_else(|e| panic!("{e}"));
     let texel = 4.0 * PI / (6.0 * 256.0);
@@ -85,12 +85,12 @@ fn the_papers_rules_differ_by_their_constants() {
         let ours = cube_lod(omega, face);
         // Section 3.5: theta = sqrt(omega / pi), LOD = log2(2 theta face / pi).
         let listing = (2.0 * (omega / PI).sqrt() * face / PI).log2();
-        near(published_cube_lod(omega, face, 128), listing, 1e-12, &(omega, face))?;
+        near(dupuy_cube_lod(omega, face, 128), listing, 1e-12, &(omega, face))?;
         // Algorithm 1: log2(sqrt(omega / 4 pi) face).
         let algorithm = ((omega / (4.0 * PI)).sqrt() * face).log2();
         near(ours - algorithm, 0.5 * 6.0_f64.log2(), 1e-12, &(omega, face))?;
         // Printed constants: 0.5 for 5 nodes, -0.5 for 32, both in place of -1.48.
-        let bias = |nodes| published_cube_lod(omega, face, nodes) - listing;
+        let bias = |nodes| dupuy_cube_lod(omega, face, nodes) - listing;
         near(bias(5), 1.98, 1e-12, &"5")?;
         near(bias(32), 0.98, 1e-12, &"32")?;
         near(bias(2), 1.98, 1e-12, &"2")?;

@@ -5,7 +5,9 @@ use crate::common::reference::Known;
 use crate::common::{check, ensure, near};
 use core::f64::consts::PI;
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
-use lobe::{AxisAligned, Footprint, Full, Ggx, Isotropic, Lobe, Ndf, Psd, Real, Roughness, Shape};
+use lobe::{
+    Anisotropic, AxisAligned, Footprint, Ggx, Isotropic, Lobe, LobeShape, Ndf, Psd, Real, Roughness,
+};
 use proptest::test_runner::TestCaseResult;
 
 /// The projected area by its closed form, erf by pxfm.
@@ -21,7 +23,7 @@ fn area(name: &str, c: f64, a: f64) -> f64 {
 }
 
 /// No density anywhere, masking as of the plane or of the rank-one ridge across it.
-fn is_a_mirror<D: Known, S: Shape>(
+fn is_a_mirror<D: Known, S: LobeShape>(
     shape: S,
     ridge: [f64; 2],
     mean: [f64; 2],
@@ -97,7 +99,7 @@ fn opposite(w: [f64; 3], source: &mut Source) -> [f64; 3] {
 
 fn nothing_comes_from_below<D: Known, R: Real>(source: &mut Source) -> TestCaseResult {
     let ellipse = source.ellipse();
-    let ndf = Ndf::<D, _>::new(Full::new(ellipse.roughness::<R>()));
+    let ndf = Ndf::<D, _>::new(Anisotropic::new(ellipse.roughness::<R>()));
     let wo = source.direction();
     let below = opposite(wo, source).map(R::lit);
     let wo = wo.map(R::lit);
@@ -106,7 +108,7 @@ fn nothing_comes_from_below<D: Known, R: Real>(source: &mut Source) -> TestCaseR
     let flat = [up[0], up[1], R::ZERO];
     let Footprint { u, v } = source.footprint();
     let footprint = Footprint { u: u.map(R::lit), v: v.map(R::lit) };
-    let ggx = Ggx::new(Full::new(ellipse.roughness::<R>()));
+    let ggx = Ggx::new(Anisotropic::new(ellipse.roughness::<R>()));
     for wi in [below, down, flat, wo.map(|x| -x)] {
         let inputs = (D::NAME, ellipse, wo, wi, footprint);
         if wi[2] > R::ZERO {

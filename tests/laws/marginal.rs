@@ -3,7 +3,7 @@
 
 use crate::common::marginals::{all, small};
 use crate::common::{ODD, check, near};
-use lobe::material::multilobe::{Dictionary, Marginal, Means, Recipe};
+use lobe::material::multilobe::{Dictionary, LobeMeans, Marginal, Recipe};
 
 /// Mean over a box, by pieces between all nodes and ends: an oracle that sums.
 fn box_mean(marginal: &Marginal<'_, f64>, x: f64, width: f64) -> f64 {
@@ -18,7 +18,7 @@ fn box_mean(marginal: &Marginal<'_, f64>, x: f64, width: f64) -> f64 {
 /// Law C12: a box's mean is exact at any width, keeps the mass and adds the box's variance.
 #[test]
 fn boxes_are_exact() {
-    let dictionary = small(Means::Stratified);
+    let dictionary = small(LobeMeans::Stratified);
     let single = Dictionary::<f32>::new(dictionary.recipe()).expect("valid");
     check(20_000, |source| {
         let (i, level) = (source.pick(24) as u32, source.pick(9) as u32);
@@ -59,7 +59,7 @@ fn boxes_are_exact() {
 /// A trilinear lookup of nominal width w is about as wide as a box of 1.5 to 1.75 w, and keeps the mass but for the end.
 #[test]
 fn mips_are_wider_than_they_say() {
-    let dictionary = small(Means::Stratified);
+    let dictionary = small(LobeMeans::Stratified);
     for derivative in [0.125, 0.25, 0.5] {
         let (mut ratio, mut count) = (0.0, 0.0);
         for (_, _, marginal) in all(&dictionary).filter(|(_, level, _)| *level == 8) {
@@ -87,7 +87,7 @@ fn mips_are_wider_than_they_say() {
 
 #[test]
 fn quantiles_invert_the_cumulative() {
-    let dictionary = small(Means::Stratified);
+    let dictionary = small(LobeMeans::Stratified);
     for (i, level, marginal) in all(&dictionary) {
         for k in 0..=40 {
             let u = f64::from(k) / 40.0;

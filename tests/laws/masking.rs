@@ -4,7 +4,7 @@ use crate::common::arbitrary::Source;
 use crate::common::reference::{Known, area_by_quadrature, stretch};
 use crate::common::{ULP, check, ensure, near};
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
-use lobe::{Footprint, Ggx, Ndf, Real, Shape};
+use lobe::{Footprint, Ggx, LobeShape, Ndf, Real};
 use proptest::test_runner::TestCaseResult;
 
 /// A direction of either sign of z.
@@ -117,7 +117,7 @@ fn shadowing_follows_from_lambda_and_never_exceeds_masking() {
 /// Lambda depends on w_xy/w_z alone, so w need not have unit length. Monotone to rounding.
 fn grows_towards_grazing<D: Known, R: Real>(source: &mut Source) -> TestCaseResult {
     let ellipse = source.ellipse();
-    let ndf = Ndf::<D, _>::new(lobe::Full::new(ellipse.roughness::<R>()));
+    let ndf = Ndf::<D, _>::new(lobe::Anisotropic::new(ellipse.roughness::<R>()));
     let [x, y] = source.vector(1e-3, 1e3).map(R::lit);
     let nearer = match source.pick(3) {
         0 => 1.0 - R::EPSILON.to_f64(),
@@ -175,7 +175,7 @@ fn reciprocity_is_exact() {
 fn walters_fit_keeps_its_stated_error() {
     check(20_000, |source| {
         let ellipse = source.ellipse();
-        let ndf = lobe::Beckmann::new(lobe::Full::new(ellipse.roughness::<f64>()));
+        let ndf = lobe::Beckmann::new(lobe::Anisotropic::new(ellipse.roughness::<f64>()));
         let w = source.direction();
         let fit = 1.0 / (1.0 + ndf.lambda_walter(w));
         near(fit, ndf.g1(w), 3.11e-3, &(ellipse, w))

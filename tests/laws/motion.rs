@@ -121,7 +121,7 @@ fn a_quadric_under_near_lights_moves_the_slope_as_its_path_says() {
         follows(half(&ends, &V3::zeros()), &motions, &slopes, &inputs)?;
         // The same by the matrix M, whose plane has the other sign.
         let [u, v] = motions;
-        let moved = Footprint::from_motion(path.half(), &u, &v).expect("above the surface");
+        let moved = Footprint::from_motion(path.half_vector(), &u, &v).expect("above the surface");
         let placed = Footprint::from_positions(path.slope_jacobian(), steps[0], steps[1]);
         let size = path.slope_jacobian().as_flattened().iter().fold(1.0_f64, |m, x| m.max(x.abs()));
         for k in 0..2 {
@@ -163,7 +163,7 @@ fn shading_normals_and_brushed_tangents_move_the_slope_as_their_motions_say() {
             let [x, y, _] = derivative(&|t| in_frame(frame_at(&(step * t)).column(2).into()));
             let [_, spin, _] = derivative(&|t| in_frame(frame_at(&(step * t)).column(0).into()));
             let half = derivative(&|t| in_frame(half(&ends, &(step * t))));
-            Motion { half, normal: [x, y], spin }
+            Motion { half_vector: half, normal: [x, y], spin }
         });
         follows(local, &motions, &slopes, &(ends, tilt, bump, brush, turning, steps))
     });
@@ -183,7 +183,7 @@ fn a_turning_frame_moves_the_slope() {
             })
         });
         let motions = [0, 1].map(|k| Motion {
-            half: moves[k].into(),
+            half_vector: moves[k].into(),
             normal: [turns[k].y, -turns[k].x],
             spin: turns[k].z,
         });
@@ -192,7 +192,8 @@ fn a_turning_frame_moves_the_slope() {
         let long = source.log_uniform(1e-3, 1e3);
         let [u, v] = motions;
         let [same, other] = [1.0, long].map(|length| {
-            let stretched = [u, v].map(|m| Motion { half: m.half.map(|x| x * length), ..m });
+            let stretched =
+                [u, v].map(|m| Motion { half_vector: m.half_vector.map(|x| x * length), ..m });
             Footprint::from_motion((g * length).data.0[0], &stretched[0], &stretched[1])
                 .expect("above")
         });
@@ -216,7 +217,7 @@ fn a_spin_moves_the_slope_around_the_normal() {
 /// The sum of what is added, as its rounding is relative to that.
 fn terms(g: [f64; 3], m: &Motion<f64>) -> f64 {
     let p = (g[0] / g[2]).abs() + (g[1] / g[2]).abs();
-    let dg = m.half.map(|x| (x / g[2]).abs());
+    let dg = m.half_vector.map(|x| (x / g[2]).abs());
     let turn = m.normal[0].abs() + m.normal[1].abs();
     dg[0] + dg[1] + turn + p * (dg[2] + p * turn + m.spin.abs())
 }
@@ -230,10 +231,10 @@ fn single_precision_agrees_with_double() {
             let size = source.log_uniform(1e-6, 10.0);
             let [a, b] = [vector(source, size), vector(source, size)]
                 .map(|v| v.map(|x| f64::from(x as f32)));
-            Motion { half: a.into(), normal: [b.x, b.y], spin: b.z }
+            Motion { half_vector: a.into(), normal: [b.x, b.y], spin: b.z }
         });
         let single = motions.map(|m| Motion {
-            half: m.half.map(|x| x as f32),
+            half_vector: m.half_vector.map(|x| x as f32),
             normal: m.normal.map(|x| x as f32),
             spin: m.spin as f32,
         });
@@ -273,11 +274,11 @@ fn refuses<R: Real>() {
     }
     let endless = number(f64::INFINITY);
     for wrong in [
-        Motion { half: [endless, R::ZERO, R::ZERO], ..still },
+        Motion { half_vector: [endless, R::ZERO, R::ZERO], ..still },
         Motion { normal: [R::ZERO, number(f64::NAN)], ..still },
         Motion { spin: endless, ..still },
         // Finite, but its derivative has no number.
-        Motion { half: [R::MAX; 3], ..still },
+        Motion { half_vector: [R::MAX; 3], ..still },
     ] {
         refused([0.5, 0.0, 0.1], &wrong, &still);
         refused([0.5, 0.0, 0.1], &still, &wrong);
@@ -293,6 +294,9 @@ fn half_vectors_below_the_horizon_are_refused() {
     let below = Vertex::distant([1.0_f64, 0.0, -0.2]).expect("a direction");
     let path = Path { eye: below, light: below, curvature: [1.0, 0.0, 1.0] };
     let motion = path.motion([1.0, 0.0]);
-    assert_eq!(Footprint::from_motion(path.half(), &motion, &motion), Err(Error::HalfVector));
+    assert_eq!(
+        Footprint::from_motion(path.half_vector(), &motion, &motion),
+        Err(Error::HalfVector)
+    );
     assert_eq!((path.slope_jacobian(), path.plane_point()), ([[0.0; 2]; 2], [0.0; 2]));
 }

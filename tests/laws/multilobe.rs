@@ -6,15 +6,15 @@ use crate::common::facets::{dictionary, dot, integral, kernels, pixel, roughness
 use crate::common::quadrature::midpoints;
 use crate::common::size::size;
 use crate::common::{check, ensure, near};
-use lobe::material::glint::Patch;
-use lobe::material::multilobe::{MultiLobe, PatchLobe};
+use lobe::material::cells::Patch;
+use lobe::material::multilobe::{MultiLobe, PatchNdf};
 use lobe::ndf::{cavity_masking, cavity_masking_shadowing};
 use lobe::slope::MeanFrame;
 use lobe::slope::direction::{half_vector, normal_of, normalize, slope_of};
-use lobe::{Beckmann, Footprint, Full, Kernel, PixelFilter, Psd, Roughness, SlopeMoments};
+use lobe::{Anisotropic, Beckmann, Footprint, Kernel, PixelFilter, Psd, Roughness, SlopeMoments};
 
 /// A pixel as it is, under kernels of all forms, over a normal map, with smooth cells, and by mips.
-fn variants(pixel: PatchLobe<'static, f64>) -> Vec<PatchLobe<'static, f64>> {
+fn variants(pixel: PatchNdf<'static, f64>) -> Vec<PatchNdf<'static, f64>> {
     let relief = Psd::new(0.03, 0.01, 0.02).expect("valid");
     let over = pixel.over(&SlopeMoments::new([0.0; 2], relief).expect("in range"));
     let footprint = Footprint::from_slopes([0.1, 0.05], [-0.02, 0.2]);
@@ -64,7 +64,7 @@ fn the_same_in_single_precision() {
             [0.0, side * [1.0, 1.0 + 1e-7][usize::from(index % 2)]],
         );
         let pixel =
-            facets.lobe(&dictionary, &patch).widened(&Kernel::of(&footprint, PixelFilter::BOX));
+            facets.ndf(&dictionary, &patch).widened(&Kernel::of(&footprint, PixelFilter::BOX));
         let density = |slope: [f64; 2]| f64::from(pixel.slope_pdf(slope.map(|x| x as f32)));
         let whole = midpoints(2.6, 200, density);
         assert!((whole - 1.0).abs() < 4e-3, "{index}, side {side}: {whole}");
@@ -122,7 +122,7 @@ fn a_share_of_the_cells_has_facets() {
     let patch = Patch::new([0.3, 0.7], [1.5, 0.2], [-0.3, 1.1]);
     let with = |share: f64| {
         let facets = MultiLobe::new(roughness(), 2.0).expect("in range");
-        facets.with_share(share).expect("in range").lobe(dictionary(), &patch)
+        facets.with_share(share).expect("in range").ndf(dictionary(), &patch)
     };
     let slope = [0.2, 0.1];
     let smooth = with(0.0).smooth().slope_pdf(slope);
@@ -137,7 +137,7 @@ fn a_share_of_the_cells_has_facets() {
         let far = [4.2 * 0.3 * 1.5, 4.2 * 0.15 * 1.5];
         let parts = (0..4000).map(|k| {
             let patch = Patch::new([40.0 * f64::from(k), 0.2], [1.0, 0.0], [0.0, 1.0]);
-            let pixel = facets.lobe(dictionary(), &patch);
+            let pixel = facets.ndf(dictionary(), &patch);
             pixel.slope_pdf(far) / pixel.smooth().slope_pdf(far)
         });
         parts.sum::<f64>() / 4000.0
@@ -173,13 +173,13 @@ fn the_smaller_masking_is_no_less_than_the_product() {
 /// Law C6: very many facets are the correlated Beckmann lobe, to the last digit: where no cell is asked, and where all are.
 #[test]
 fn very_many_facets_are_the_smooth_lobe() {
-    let smooth = Beckmann::new(Full::new(roughness()));
+    let smooth = Beckmann::new(Anisotropic::new(roughness()));
     // As many as the last level has, in every cell: none is beyond all random numbers, and none has a table.
     let last = MultiLobe::new(roughness(), 4.0_f64.powi(16)).expect("in range");
     let last = last.with_variation(0.0).expect("in range");
     for index in 0..20 {
         let patch = Patch::new([0.37 * index as f64, 0.2], [1.0, 0.0], [0.0, 1.0]);
-        for pixel in [pixel(50.0_f64.exp(), index), last.lobe(dictionary(), &patch)] {
+        for pixel in [pixel(50.0_f64.exp(), index), last.ndf(dictionary(), &patch)] {
             for slope in [[0.0, 0.0], [0.3, -0.2], [0.9, 0.1]] {
                 let want = smooth.slope_pdf(slope);
                 assert!((pixel.slope_pdf(slope) / want - 1.0).abs() < 1e-12);
@@ -199,7 +199,7 @@ fn a_mirror_has_no_density() {
     for [x, y, rho] in mirrors {
         let mirror = Roughness::from_sigma_rho(x, y, rho).expect("in range");
         let pixel =
-            MultiLobe::new(mirror, 10.0).expect("in range").lobe(dictionary(), &Patch::default());
+            MultiLobe::new(mirror, 10.0).expect("in range").ndf(dictionary(), &Patch::default());
         assert_eq!(pixel.slope_pdf([0.0, 0.0]), 0.0, "{x} {y} {rho}");
         let kernel = Kernel::from_covariance(Psd::new(0.02, 0.0, 0.01).expect("valid"));
         let pixel = pixel.widened(&kernel);
@@ -227,8 +227,8 @@ fn moments_enter_through_the_covariance() {
         let [xx, xy, yy] = covariance.entries();
         let seen = j * nalgebra::Matrix2::new(xx, xy, xy, yy) * j.transpose();
         let seen = Psd::new(seen[(0, 0)], seen[(0, 1)], seen[(1, 1)]).expect("valid");
-        let sum = Roughness::from_covariance(roughness().covariance().plus(&seen));
-        let want = Beckmann::new(Full::new(sum)).slope_pdf([0.2, 0.1]);
+        let sum = Roughness::from_covariance(roughness().covariance() + seen);
+        let want = Beckmann::new(Anisotropic::new(sum)).slope_pdf([0.2, 0.1]);
         assert!((pixel.slope_pdf([0.2, 0.1]) / want - 1.0).abs() < 1e-8, "{mean:?}");
     }
 }

@@ -4,7 +4,7 @@
 use crate::common::arbitrary::Source;
 use crate::common::facets::{dictionary, surface};
 use crate::common::quadrature::midpoints;
-use lobe::material::glint::Patch;
+use lobe::material::cells::Patch;
 use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
 use lobe::{Kernel, Psd, Real, Roughness};
 
@@ -22,7 +22,7 @@ fn mirrors_are_what_kernels_make_of_them<R: Real>() {
                 Kernel::from_covariance(Psd::new(variance, R::ZERO, variance).expect("valid"));
             let facets = MultiLobe::new(mirror, R::ONE).expect("in range");
             let facets = facets.with_variation(R::ZERO).expect("in range");
-            let pixel = facets.lobe(&dictionary, &Patch::default()).widened(&kernel);
+            let pixel = facets.ndf(&dictionary, &Patch::default()).widened(&kernel);
             // Midpoints of a parallelogram, whose corners are up to sqrt(6) deviations out, and some of the lobe beside it.
             let (reach, nodes) = (2.5 * deviation + 0.6, 300);
             let mass = midpoints(reach, nodes, |slope| pixel.slope_pdf(slope.map(R::lit)).to_f64());
@@ -34,7 +34,7 @@ fn mirrors_are_what_kernels_make_of_them<R: Real>() {
                 let mut source = Source::from_seed(k);
                 let place = [R::lit(0.37 * k as f64), R::ZERO];
                 let patch = Patch::new(place, [R::ONE, R::ZERO], [R::ZERO, R::ONE]);
-                let pixel = facets.lobe(&dictionary, &patch).widened(&kernel);
+                let pixel = facets.ndf(&dictionary, &patch).widened(&kernel);
                 let drawn = pixel.sample_slope([0.0; 7].map(|_| R::lit(source.uniform(0.0, 1.0))));
                 for (sum, slope) in second.iter_mut().zip(drawn) {
                     *sum += slope.to_f64().powi(2) / count as f64;
@@ -71,7 +71,7 @@ fn the_horizon_is_dark() {
     for alpha in [0.0, 0.3] {
         let roughness = Roughness::from_alpha(alpha).expect("in range");
         let facets = MultiLobe::new(roughness, 100.0).expect("in range");
-        let pixel = facets.lobe(&dictionary, &Patch::default());
+        let pixel = facets.ndf(&dictionary, &Patch::default());
         for height in [1e-6_f32, 1e-11, 1e-12, 6.1e-17, 1e-20, 1e-38] {
             assert_eq!(pixel.d([1.0, 0.0, height]), 0.0, "{alpha} {height}");
             for (wo, wi) in [
@@ -104,9 +104,9 @@ fn the_scale_of_a_texture_is_no_matter() {
             let uv = [0.375 * size * f64::from(k), 0.25 * size];
             let long = if k % 2 == 0 { 1.25 } else { 20.0 };
             let (right, up) = ([long * size, 0.125 * size], [0.0, size]);
-            let want = facets.lobe(dictionary(), &Patch::new(uv, right, up)).slope_pdf([0.1, 0.05]);
+            let want = facets.ndf(dictionary(), &Patch::new(uv, right, up)).slope_pdf([0.1, 0.05]);
             let [uv, right, up] = [uv, right, up].map(|v| v.map(|x| x as f32));
-            let pixel = alike.with_seed(5).lobe(&single, &Patch::new(uv, right, up));
+            let pixel = alike.with_seed(5).ndf(&single, &Patch::new(uv, right, up));
             let got = f64::from(pixel.slope_pdf([0.1, 0.05]));
             far += u32::from((got - want).abs() > 1e-3 * (want + 0.1));
         }
@@ -121,7 +121,7 @@ fn the_scale_of_a_texture_is_no_matter() {
 fn no_number_counts_as_0() {
     let nan = f64::NAN;
     let at = |uv, right, up| {
-        surface(3.0, 1).lobe(dictionary(), &Patch::new(uv, right, up)).slope_pdf([0.1, 0.05])
+        surface(3.0, 1).ndf(dictionary(), &Patch::new(uv, right, up)).slope_pdf([0.1, 0.05])
     };
     let want = at([0.0, 0.4], [1.0, 0.0], [0.0, 2.0]);
     assert_eq!(at([nan, 0.4], [1.0, 0.0], [0.0, 2.0]), want);

@@ -4,8 +4,8 @@
 use crate::common::ODD;
 use crate::common::arbitrary::Source;
 use crate::common::facets::{dictionary, kernels, roughness, surface};
-use lobe::material::glint::Patch;
-use lobe::material::multilobe::{Dictionary, MultiLobe, PatchLobe, Recipe};
+use lobe::material::cells::Patch;
+use lobe::material::multilobe::{Dictionary, MultiLobe, PatchNdf, Recipe};
 use lobe::{Error, Footprint, Kernel, PixelFilter, Psd, Real, Roughness, SlopeMoments};
 use std::f64::consts::SQRT_2;
 
@@ -14,7 +14,7 @@ const STEP: f64 = 1e-9;
 
 /// The densities on both sides of a border, at some slopes: what a jump changes, rounding does not.
 #[track_caller]
-fn assert_continuous(what: &str, pixel: impl Fn(f64) -> PatchLobe<'static, f64>) {
+fn assert_continuous(what: &str, pixel: impl Fn(f64) -> PatchNdf<'static, f64>) {
     let [[a, b], [_, c]] = roughness().chermain_matrix(1.0);
     let [before, after] = [-STEP, STEP].map(pixel);
     for [x, y] in [[0.0, 0.0], [0.4, 0.3], [-0.9, 1.1], [1.6, -0.2]] {
@@ -42,7 +42,7 @@ fn pixels_change_as_little_as_they_move() {
             let width = 2.0_f64.powi(power);
             assert_continuous("a level", |step| {
                 let (right, up) = turned(1.7 * width, width * (1.0 + step));
-                surface(30.0 / (width * width), seed).lobe(dictionary(), &Patch::new(uv, right, up))
+                surface(30.0 / (width * width), seed).ndf(dictionary(), &Patch::new(uv, right, up))
             });
         }
         // A facet's square of 2^-2, also where its own level ends.
@@ -50,22 +50,22 @@ fn pixels_change_as_little_as_they_move() {
             let size = 1.0 / f64::sqrt(density);
             assert_continuous("the smallest cell", |step| {
                 let (right, up) = turned(1.2 * size, size * (1.0 + step));
-                surface(density, seed).lobe(dictionary(), &Patch::new(uv, right, up))
+                surface(density, seed).ndf(dictionary(), &Patch::new(uv, right, up))
             });
         }
         assert_continuous("the longest pixel", |step| {
             let (right, up) = turned(8.0 * (1.0 + step), 1.0);
-            surface(3.0, seed).lobe(dictionary(), &Patch::new(uv, right, up))
+            surface(3.0, seed).ndf(dictionary(), &Patch::new(uv, right, up))
         });
         // Around a cell's middle a radius of sqrt(2) cells reaches those of the four that meet its corners.
         assert_continuous("a rim", |step| {
             let side = 1.0 + step * SQRT_2;
             let patch = Patch::new([0.5, 0.5], [side, 0.0], [0.0, side]);
-            surface(30.0, seed).lobe(dictionary(), &patch)
+            surface(30.0, seed).ndf(dictionary(), &patch)
         });
         assert_continuous("a border of cells", |step| {
             let patch = Patch::new([3.0 + step, -2.0 - step], [1.0, 0.2], [0.1, 1.4]);
-            surface(30.0, seed).lobe(dictionary(), &patch)
+            surface(30.0, seed).ndf(dictionary(), &patch)
         });
     }
 }
@@ -82,7 +82,7 @@ fn kernels_change_as_little_as_they_grow() {
     let longest = 1.5 / 12.0_f64.sqrt();
     for seed in 0..40 {
         let patch = Patch::new([0.37 * f64::from(seed), 0.2], [1.0, 0.3], [0.1, 1.1]);
-        let pixel = surface(30.0, seed).lobe(dictionary(), &patch);
+        let pixel = surface(30.0, seed).ndf(dictionary(), &patch);
         for pieces in [1.0, 3.0, 5.0, 7.0] {
             assert_continuous("a piece more", |step| {
                 pixel.widened(&kernel(pieces * longest * (1.0 + step), 0.1))
@@ -119,7 +119,7 @@ fn any_input_gives_a_number<R: Real>() {
         let facets = facets.with_variation(pick(&[0.0, 2.0, 4.0])).expect("in range");
         let side = pick(&[0.0, 1e-9, 0.02, 1e9]);
         let round = Psd::new(side, R::ZERO, side).expect("valid");
-        let pixel = facets.lobe(&dictionary, &patch);
+        let pixel = facets.ndf(&dictionary, &patch);
         let over = SlopeMoments::new(mean, round).map_or(pixel, |moments| pixel.over(&moments));
         let kernels = [Kernel::of(&footprint, PixelFilter::BOX), Kernel::from_covariance(round)];
         let [any, round] = kernels.map(|kernel| over.widened(&kernel));
@@ -174,12 +174,12 @@ fn single_precision_agrees_with_double() {
         for k in 0..200_u16 {
             let uv = [0.37 * f64::from(k), 0.2];
             let patch = Patch::new(uv, [1.0, 0.25], [-0.5, 1.5]);
-            let wide = surface(30.0, 5).lobe(dictionary(), &patch).widened(&kernel);
+            let wide = surface(30.0, 5).ndf(dictionary(), &patch).widened(&kernel);
             let [xx, xy, yy] = roughness().covariance().entries().map(|x| x as f32);
             let same = Roughness::from_covariance(Psd::nearest(xx, xy, yy));
             let same = MultiLobe::new(same, 30.0).expect("in range").with_seed(5);
             let patch = Patch::new(uv.map(|x| x as f32), [1.0, 0.25], [-0.5, 1.5]);
-            let narrow = same.lobe(&single, &patch).widened(&narrow);
+            let narrow = same.ndf(&single, &patch).widened(&narrow);
             for slope in [[0.0, 0.0], [0.2, 0.1], [-0.3, 0.05]] {
                 let want = wide.slope_pdf(slope);
                 let got = f64::from(narrow.slope_pdf(slope.map(|x| x as f32)));

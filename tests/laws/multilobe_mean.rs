@@ -3,8 +3,8 @@
 
 use crate::common::arbitrary::Source;
 use crate::common::facets::{dictionary, roughness};
-use lobe::material::glint::Patch;
-use lobe::material::multilobe::{Dictionary, Means, MultiLobe, Recipe};
+use lobe::material::cells::Patch;
+use lobe::material::multilobe::{Dictionary, LobeMeans, MultiLobe, Recipe};
 use lobe::{Kernel, Psd, Roughness};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::OnceLock;
@@ -13,7 +13,7 @@ use std::sync::OnceLock;
 fn published() -> &'static Dictionary<f64> {
     static DICTIONARY: OnceLock<Dictionary<f64>> = OnceLock::new();
     DICTIONARY.get_or_init(|| {
-        Dictionary::new(&Recipe { means: Means::Published, ..Recipe::default() }).expect("valid")
+        Dictionary::new(&Recipe { means: LobeMeans::Chermain, ..Recipe::default() }).expect("valid")
     })
 }
 
@@ -45,12 +45,12 @@ fn seen(dictionary: &Dictionary<f64>, level: u32, radius: f64, width: f64, count
     let facets = facets.with_variation(0.0).expect("in range");
     let [[a, b], [_, c]] = roughness().chermain_matrix(1.0);
     let slope = [a * radius * 0.6 + b * radius * 0.8, c * radius * 0.8];
-    let kernel = Kernel::from_covariance(roughness().covariance().scaled(width * width / 12.0));
+    let kernel = Kernel::from_covariance(roughness().covariance() * (width * width / 12.0));
     let (mut sum, mut squares) = (0.0, 0.0);
     for k in 0..count {
         // In the middle of a cell, far from the others'.
         let patch = Patch::new([11.0 * f64::from(k) + 0.5, 0.5], CELL[0], CELL[1]);
-        let value = facets.lobe(dictionary, &patch).widened(&kernel).slope_pdf(slope) * a * c;
+        let value = facets.ndf(dictionary, &patch).widened(&kernel).slope_pdf(slope) * a * c;
         sum += value;
         squares += value * value;
     }
@@ -131,7 +131,7 @@ fn slopes_have_the_covariance_that_they_should() {
         for k in 0..count {
             let mut source = Source::from_seed(k);
             let patch = Patch::new([0.37 * k as f64, 0.2], CELL[0], CELL[1]);
-            let pixel = facets.lobe(dictionary(), &patch).widened(&kernel);
+            let pixel = facets.ndf(dictionary(), &patch).widened(&kernel);
             let [x, y] = pixel.sample_slope([0.0; 7].map(|_| source.uniform(0.0, 1.0)));
             second = [second[0] + x * x, second[1] + x * y, second[2] + y * y];
         }

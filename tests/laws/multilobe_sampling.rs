@@ -6,7 +6,7 @@ use crate::common::arbitrary::Source;
 use crate::common::facets::{dictionary, kernels, pixel, roughness};
 use crate::common::size::size;
 use lobe::material::Fresnel;
-use lobe::material::glint::Patch;
+use lobe::material::cells::Patch;
 use lobe::material::multilobe::MultiLobe;
 use lobe::shade::{MultiLobeMaterial, MultiLobeShading};
 use lobe::slope::direction::normalize;

@@ -1,12 +1,12 @@
 //! Many lobes across scales: what a cell keeps of its finer one, how a pixel calms down, and that no axis is special (laws
-//! C11, C14 and B2; C15, of the cells' numbers, is in tests/laws/cells.rs and src/material/glint/cell.rs).
+//! C11, C14 and B2; C15, of the cells' numbers, is in tests/laws/cells.rs and src/material/cells/cell.rs).
 #![cfg(feature = "glint")]
 
 use crate::common::arbitrary::Source;
 use crate::common::facets::dictionary;
 use lobe::Roughness;
-use lobe::material::glint::{Cell, Patch};
-use lobe::material::multilobe::{Dictionary, Means, MultiLobe, Recipe};
+use lobe::material::cells::{Cell, Patch};
+use lobe::material::multilobe::{Dictionary, LobeMeans, MultiLobe, Recipe};
 use std::f64::consts::TAU;
 
 /// Mean and variance over the mean's square.
@@ -31,7 +31,7 @@ fn a_coarse_cell_is_the_heir_of_a_finer_one() {
             assert_ne!(Cell::at([s, t], 3 + k, 9), Cell::at([(s << k) + 1, t << k], 3, 9));
         }
     }
-    let recipe = Recipe { means: Means::Published, ..Recipe::default() };
+    let recipe = Recipe { means: LobeMeans::Chermain, ..Recipe::default() };
     let dictionary = Dictionary::<f64>::new(&recipe).expect("valid");
     let density = |turn: f64, pair: [u32; 2], level: u32| {
         let (sin, cos) = turn.sin_cos();
@@ -79,7 +79,7 @@ fn a_quarter_turn_of_the_pixel_changes_no_statistics() {
             let (long, short) = ([3.0, 1.0], [-0.3, 0.9]);
             let quarter = |[x, y]: [f64; 2]| if turned { [-y, x] } else { [x, y] };
             let patch = Patch::new(uv, quarter(long), quarter(short));
-            facets.lobe(dictionary(), &patch).slope_pdf([0.2, 0.1])
+            facets.ndf(dictionary(), &patch).slope_pdf([0.2, 0.1])
         }))
     };
     let ((mean, variance), (turned_mean, turned)) = (seen(false), seen(true));
@@ -99,7 +99,7 @@ fn variance(size: f64, count: u64) -> f64 {
         let mut source = Source::from_seed(k);
         let uv = [0; 2].map(|_| source.uniform(0.0, 500.0 * size));
         let patch = Patch::new(uv, [size, 0.0], [0.0, size]);
-        facets.lobe(dictionary(), &patch).slope_pdf([0.2, 0.1])
+        facets.ndf(dictionary(), &patch).slope_pdf([0.2, 0.1])
     });
     let (mean, variance) = moments(pixels);
     println!("width {size:.2}: mean {mean}, variance {variance}");
@@ -145,7 +145,7 @@ fn any_number_of_facets_counts() {
             let mut source = Source::from_seed(k);
             let uv = [0; 2].map(|_| source.uniform(0.0, 5000.0));
             let patch = Patch::new(uv, [8.0, 0.0], [0.0, 8.0]);
-            facets.lobe(dictionary(), &patch).slope_pdf([0.2, 0.1])
+            facets.ndf(dictionary(), &patch).slope_pdf([0.2, 0.1])
         }))
         .1
     };
@@ -166,7 +166,7 @@ fn close_up_there_are_no_more_facets() {
     assert_eq!(facets.facet_size(), 0.01);
     let at = |size: f64| {
         let patch = Patch::new([0.3, 0.4], [size, 0.0], [0.0, size]);
-        facets.lobe(dictionary(), &patch)
+        facets.ndf(dictionary(), &patch)
     };
     let (limit, exponent) = (at(0.0), at(0.0).exponent());
     for k in 0..20 {

@@ -5,7 +5,9 @@ use crate::common::quadrature::over_plane;
 use crate::common::reference::Known;
 use crate::common::{ULP, check, ensure, near};
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
-use lobe::{AxisAligned, Footprint, Full, Isotropic, Ndf, Roughness, Shape, Tilted};
+use lobe::{
+    Anisotropic, AxisAligned, Footprint, Isotropic, LobeShape, Ndf, NonCentered, Roughness,
+};
 use proptest::test_runner::TestCaseResult;
 
 /// Mass 1, in the lobe's own polar coordinates. Rounding a slope moves it by `blur` alphas; a density
@@ -72,8 +74,8 @@ fn densities_scale_exactly_with_powers_of_two() {
 
 /// Every quantity of two shapes that should be the same.
 fn agree<D: Known>(
-    a: impl Shape<Scalar = f64>,
-    b: impl Shape<Scalar = f64>,
+    a: impl LobeShape<Scalar = f64>,
+    b: impl LobeShape<Scalar = f64>,
     source: &mut Source,
     inputs: &dyn core::fmt::Debug,
 ) -> TestCaseResult {
@@ -106,16 +108,16 @@ fn shapes_agree<D: Known>(source: &mut Source) -> TestCaseResult {
     let inputs = (alpha, other);
     let round = Isotropic::new(alpha).expect("alpha > 0");
     let square = AxisAligned::new(alpha, alpha).expect("alphas > 0");
-    let full = Full::new(Roughness::from_alpha(alpha).expect("alpha > 0"));
-    let tilted = Tilted::new(round, [0.0; 2]).expect("a finite mean");
+    let full = Anisotropic::new(Roughness::from_alpha(alpha).expect("alpha > 0"));
+    let tilted = NonCentered::new(round, [0.0; 2]).expect("a finite mean");
     agree::<D>(round, square, source, &inputs)?;
     agree::<D>(round, full, source, &inputs)?;
     agree::<D>(round, tilted, source, &inputs)?;
     let oblong = AxisAligned::new(alpha, other).expect("alphas > 0");
-    let full = Full::new(Roughness::from_alphas(alpha, other, 0.0).expect("alphas > 0"));
+    let full = Anisotropic::new(Roughness::from_alphas(alpha, other, 0.0).expect("alphas > 0"));
     agree::<D>(oblong, full, source, &inputs)?;
     let mean = source.mean();
-    let (one, two) = (Tilted::new(oblong, mean), Tilted::new(full, mean));
+    let (one, two) = (NonCentered::new(oblong, mean), NonCentered::new(full, mean));
     agree::<D>(one.expect("finite"), two.expect("finite"), source, &(inputs, mean))
 }
 
@@ -132,7 +134,7 @@ fn shapes_agree_on_means_over_footprints() {
         let (slope, footprint) = (source.slope(), source.footprint());
         let aligned = lobe::Ggx::new(AxisAligned::new(x, y).expect("alphas > 0"));
         let full = Roughness::from_alphas(x, y, 0.0).expect("alphas > 0");
-        let full = lobe::Ggx::new(Full::new(full));
+        let full = lobe::Ggx::new(Anisotropic::new(full));
         let (a, b) = (
             aligned.parallelogram_mean(slope, &footprint),
             full.parallelogram_mean(slope, &footprint),

@@ -5,11 +5,11 @@ use crate::common::quadrature::over_square;
 use crate::common::{check, ensure};
 use core::f64::consts::PI;
 use lobe::slope::direction::{normal_of, reflect};
-use lobe::{AxisAligned, Footprint, Full, Ggx, Isotropic, Psd, Roughness, Shape};
+use lobe::{Anisotropic, AxisAligned, Footprint, Ggx, Isotropic, LobeShape, Psd, Roughness};
 use proptest::test_runner::TestCaseResult;
 
 /// D as [`lobe::Ndf::brdf_over`] has it: both directions mirrored at the half vector's normal, visibility divided out.
-fn shaded<S: Shape<Scalar = f64>>(ggx: &Ggx<S>, slope: [f64; 2], over: &Footprint<f64>) -> f64 {
+fn shaded<S: LobeShape<Scalar = f64>>(ggx: &Ggx<S>, slope: [f64; 2], over: &Footprint<f64>) -> f64 {
     let m = normal_of(slope);
     // Both along the half vector: always above the surface.
     let wo = m;
@@ -48,7 +48,7 @@ fn an_isotropic_lobe_s_density_over_a_footprint_bounds_its_mean() {
     check(400, bounds_the_mean);
 }
 
-/// Got over mean for random centred lobes, slopes and footprints up to a limit, in increasing order.
+/// Got over mean for random centered lobes, slopes and footprints up to a limit, in increasing order.
 fn ratios(limit: f64, count: u64) -> Vec<f64> {
     let mut ratios: Vec<f64> = (0..count)
         .map(|seed| {
@@ -60,7 +60,7 @@ fn ratios(limit: f64, count: u64) -> Vec<f64> {
             let sides = [0; 2].map(|_| source.vector(1e-3, limit));
             let over = Footprint { u: sides[0], v: sides[1] };
             let matrix = Psd::new(a[0], a[1], a[2]).expect("positive");
-            let ggx = Ggx::new(Full::new(Roughness::from_matrix(matrix)));
+            let ggx = Ggx::new(Anisotropic::new(Roughness::from_matrix(matrix)));
             shaded(&ggx, slope, &over) / mean_of_d(a, slope, &over)
         })
         .collect();
@@ -81,7 +81,7 @@ fn any_lobe_s_density_over_a_footprint_is_near_its_mean() {
     }
 }
 
-/// A brushed lobe's streak: the mean comes from beside the half vector, not from the lobe's centre.
+/// A brushed lobe's streak: the mean comes from beside the half vector, not from the lobe's center.
 #[test]
 fn a_streak_keeps_its_brightness_along_itself() {
     let ggx = Ggx::new(AxisAligned::new(0.01, 0.5).expect("in range"));

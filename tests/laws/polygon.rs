@@ -14,7 +14,7 @@ use proptest::test_runner::TestCaseResult;
 /// The documented error of f64.
 const DOUBLE: f64 = 1e-9;
 
-/// A lobe, a centre up to `far` alphas away, and a footprint.
+/// A lobe, a center up to `far` alphas away, and a footprint.
 fn scene(source: &mut Source, far: f64) -> (LobeInput, [f64; 2], Footprint<f64>) {
     let input = source.lobe();
     let w = source.vector(1e-3, far);
@@ -80,15 +80,15 @@ fn a_mean_is_the_mean_over_its_parts() {
 fn the_mean_over_a_parallelogram_is_its_integral() {
     check(4000, |source| {
         let input = source.mild_lobe();
-        // Centre and sides in alphas of the lobe: pixels up to 30 alphas wide.
-        let (centre, u) = (source.vector(1e-2, 30.0), source.vector(1e-2, 30.0));
+        // Center and sides in alphas of the lobe: pixels up to 30 alphas wide.
+        let (center, u) = (source.vector(1e-2, 30.0), source.vector(1e-2, 30.0));
         let v = match source.pick(4) {
             0 => [0.0; 2],
             1 => u.map(|x| 0.5 * x),
             _ => source.vector(1e-2, 30.0),
         };
         let mut density = |x: f64, y: f64| {
-            GgxDistribution::unit_density([0, 1].map(|k| centre[k] + x * u[k] + y * v[k]))
+            GgxDistribution::unit_density([0, 1].map(|k| center[k] + x * u[k] + y * v[k]))
         };
         let want = over_square(&mut density, 1e-10) / input.ellipse.root_det();
         let side = |w: [f64; 2]| {
@@ -96,12 +96,12 @@ fn the_mean_over_a_parallelogram_is_its_integral() {
             [s[0] - input.mean[0], s[1] - input.mean[1]]
         };
         // Sides without the mean's rounding.
-        let centred = LobeInput { mean: [0.0; 2], ..input };
-        let footprint = Footprint { u: centred.slope_at(u), v: centred.slope_at(v) };
-        let slope = shifted(input.mean, side(centre), 1.0);
+        let centered = LobeInput { mean: [0.0; 2], ..input };
+        let footprint = Footprint { u: centered.slope_at(u), v: centered.slope_at(v) };
+        let slope = shifted(input.mean, side(center), 1.0);
         let got = mean(&input.lobe(), slope, &footprint);
         let tolerance = (2.0 * DOUBLE + 4.0 * slack(&input, slope, &footprint)) * want;
-        near(got, want, tolerance, &(input, centre, u, v))
+        near(got, want, tolerance, &(input, center, u, v))
     });
 }
 
@@ -158,16 +158,16 @@ fn a_mean_lies_below_the_peak_and_falls_as_its_footprint_grows() {
 #[test]
 fn a_footprint_around_all_of_the_lobe_has_mass_one() {
     check(10_000, |source| {
-        let LobeInput { ellipse, mean: centre } = source.lobe();
+        let LobeInput { ellipse, mean: center } = source.lobe();
         let size = ellipse.x.max(ellipse.y) * 1e7;
         let (sin, cos) = source.angle().sin_cos();
         let shear = source.uniform(-1.0, 1.0);
         let u = [size * cos, size * sin];
         let footprint = Footprint { u, v: [-u[1] + shear * u[0], u[0] + shear * u[1]] };
-        let lobe = LobeInput { ellipse, mean: centre }.lobe();
-        let mass = mean(&lobe, centre, &footprint) * footprint.area();
+        let lobe = LobeInput { ellipse, mean: center }.lobe();
+        let mass = mean(&lobe, center, &footprint) * footprint.area();
         // Outside: less than the tail beyond the inscribed circle, 1/(1 + r^2), r > 1e6.
-        near(mass, 1.0, 2.0 * DOUBLE, &(ellipse, centre, footprint))
+        near(mass, 1.0, 2.0 * DOUBLE, &(ellipse, center, footprint))
     });
 }
 

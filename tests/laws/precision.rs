@@ -7,7 +7,7 @@ use crate::common::reference::Known;
 use crate::common::{ULP_SINGLE, check, ensure, near};
 use lobe::filter::beckmann_rectangle_mean;
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
-use lobe::{Footprint, Ggx, Lobe, Ndf, Psd, Real, Roughness, Shape};
+use lobe::{Footprint, Ggx, Lobe, LobeShape, Ndf, Psd, Real, Roughness};
 use proptest::test_runner::TestCaseResult;
 
 /// P22, D, projected area and BRDF, relative.
@@ -15,7 +15,7 @@ const GGX_BUDGET: f64 = 3e-5;
 const BECKMANN_BUDGET: f64 = 2e-4;
 /// Lambda, relative.
 const LAMBDA_BUDGET: f64 = 1e-2;
-/// Means over polygons within ten alphas of the lobe's centre, and anywhere.
+/// Means over polygons within ten alphas of the lobe's center, and anywhere.
 const NEAR_BUDGET: f64 = 1e-5;
 const FAR_BUDGET: f64 = 1e-3;
 
@@ -154,20 +154,20 @@ fn brdfs_agree() {
     check(100_000, brdfs::<BeckmannDistribution>);
 }
 
-/// Distance in alphas of the lobe's centre from the footprint laid around `slope`; 0 inside.
+/// Distance in alphas of the lobe's center from the footprint laid around `slope`; 0 inside.
 fn gap(lobe: &Lobe<f64>, slope: [f64; 2], footprint: &Footprint<f64>) -> f64 {
     let shape = lobe.shape();
     let offset = [slope[0] - lobe.mean()[0], slope[1] - lobe.mean()[1]];
-    let [centre, u, v] = [offset, footprint.u, footprint.v].map(|w| shape.whiten(w, [0.0; 2]));
+    let [center, u, v] = [offset, footprint.u, footprint.v].map(|w| shape.whiten(w, [0.0; 2]));
     let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
-    // Centre + i u + j v = 0.
+    // Center + i u + j v = 0.
     let area = cross(u, v);
-    let (i, j) = (-cross(centre, v) / area, -cross(u, centre) / area);
+    let (i, j) = (-cross(center, v) / area, -cross(u, center) / area);
     if i.abs() <= 0.5 && j.abs() <= 0.5 {
         return 0.0;
     }
     let to_edge = |along: [f64; 2], across: [f64; 2], side: f64| {
-        let middle = [centre[0] + side * across[0], centre[1] + side * across[1]];
+        let middle = [center[0] + side * across[0], center[1] + side * across[1]];
         let square = along[0] * along[0] + along[1] * along[1];
         let toward = -(middle[0] * along[0] + middle[1] * along[1]) / square.max(f64::MIN_POSITIVE);
         let t = toward.clamp(-0.5, 0.5);

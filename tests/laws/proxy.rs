@@ -1,11 +1,11 @@
-//! Laws of proxies: a GGX that is as high at its centre as GGX under the pixel, against quadrature.
+//! Laws of proxies: a GGX that is as high at its center as GGX under the pixel, against quadrature.
 
 use crate::common::arbitrary::Ellipse;
 use crate::common::quadrature::{adaptive, trapezoid};
 use crate::common::{ULP, check, ensure, near};
 use core::f64::consts::{FRAC_1_PI, PI};
 use lobe::filter::{box_peak_alpha, gaussian_peak_alpha};
-use lobe::{Footprint, Full, Ggx, Kernel, PixelFilter, Psd, Real, Roughness};
+use lobe::{Anisotropic, Footprint, Ggx, Kernel, PixelFilter, Psd, Real, Roughness};
 
 /// L^-1 v with L L^T = A.
 fn whitened(ellipse: &Ellipse, v: [f64; 2]) -> [f64; 2] {
@@ -60,7 +60,7 @@ fn kernel<R: Real>([u, v]: [[f64; 2]; 2]) -> Kernel<R> {
 }
 
 fn peak<R: Real>(roughness: &Roughness<R>) -> f64 {
-    Ggx::new(Full::new(*roughness)).slope_pdf([R::ZERO; 2]).to_f64()
+    Ggx::new(Anisotropic::new(*roughness)).slope_pdf([R::ZERO; 2]).to_f64()
 }
 
 /// By how much a rounding of A's entries moves its determinant.
@@ -99,10 +99,10 @@ fn isotropic_proxies_are_the_closed_forms() {
         let (alpha, size) = (source.log_uniform(1e-4, 30.0), source.log_uniform(1e-5, 1e3));
         let base = Roughness::from_alpha(alpha).expect("in range");
         let square = Footprint::rectangle([size, size]);
-        let over = base.peak_matched_over(&square).alphas().x;
+        let over = base.peak_matched_over(&square).alphas().major;
         let want = box_peak_alpha(alpha, size).expect("in range");
         near(over, want, 1e-10 * want, &("box", alpha, size))?;
-        let under = base.peak_matched(&kernel([[size, 0.0], [0.0, size]])).alphas().x;
+        let under = base.peak_matched(&kernel([[size, 0.0], [0.0, size]])).alphas().major;
         let want = gaussian_peak_alpha(alpha, size).expect("in range");
         near(under, want, 4e-12 * want, &("Gaussian", alpha, size))
     });

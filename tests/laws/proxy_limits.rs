@@ -6,7 +6,7 @@ use crate::common::{ULP_SINGLE, check, ensure, near};
 use core::f64::consts::PI;
 use core::fmt::Debug;
 use lobe::filter::{box_peak_alpha, gaussian_peak_alpha, ggx_gaussian_mean, kaplanyan_proxy_alpha};
-use lobe::{Error, Footprint, Full, Ggx, Kernel, Lobe, PixelFilter, Psd, Real, Roughness};
+use lobe::{Anisotropic, Error, Footprint, Ggx, Kernel, Lobe, PixelFilter, Psd, Real, Roughness};
 use proptest::test_runner::TestCaseResult;
 
 #[test]
@@ -18,7 +18,7 @@ fn proxies_fall_as_the_kernel_grows() {
         let [u, v] = source.kernel();
         let other = Kernel::from_covariance(Psd::outer_sum(u, v));
         let narrow = Kernel::of(&footprint, PixelFilter::BOX);
-        let wide = Kernel::of(&footprint.scaled(factor), PixelFilter::BOX);
+        let wide = Kernel::of(&(footprint * factor), PixelFilter::BOX);
         let inputs = (ellipse, footprint, factor);
         let falls = |before: Roughness<f64>, after: Roughness<f64>, what: &str| {
             let (before, after) = (before.matrix().root_det(), after.matrix().root_det());
@@ -28,12 +28,11 @@ fn proxies_fall_as_the_kernel_grows() {
         falls(base.peak_matched(&narrow), base.peak_matched(&wide), "a wider kernel blunts more")?;
         falls(
             base.peak_matched(&narrow),
-            base.peak_matched(&narrow.then(&other)),
+            base.peak_matched(&(narrow + other)),
             "so does a second",
         )?;
         falls(base.peak_fitted(&narrow), base.peak_fitted(&wide), "so does the fit")?;
-        let [narrow, wide] =
-            [footprint, footprint.scaled(factor)].map(|f| base.peak_matched_over(&f));
+        let [narrow, wide] = [footprint, footprint * factor].map(|f| base.peak_matched_over(&f));
         falls(base, narrow, "a footprint blunts")?;
         falls(narrow, wide, "a larger one blunts more")
     });
@@ -93,7 +92,7 @@ fn total<R: Real>(source: &mut Source) -> TestCaseResult {
         let grown = xx >= a && yy >= c;
         ensure(grown, "nothing is taken away", &(inputs, after))?;
         ensure(
-            sane(Ggx::new(Full::new(after)).slope_pdf([R::ZERO; 2])),
+            sane(Ggx::new(Anisotropic::new(after)).slope_pdf([R::ZERO; 2])),
             "a peak",
             &(inputs, after),
         )?;
@@ -156,7 +155,7 @@ fn square_roots_of_sums_err_as_stated() {
         let published = kaplanyan_proxy_alpha(alpha, ratio * alpha).expect("in range");
         let square = Footprint::rectangle([ratio * alpha, ratio * alpha]);
         let base = Roughness::from_alpha(alpha).expect("in range");
-        let widened = |filter| base.widened(&Kernel::of(&square, filter)).alphas().x;
+        let widened = |filter| base.widened(&Kernel::of(&square, filter)).alphas().major;
         let same = widened(PixelFilter::KAPLANYAN_PROXY);
         assert!((published / same - 1.0).abs() < 1e-14, "{published} {same}");
         // The peak falls like 1/alpha^2.
@@ -177,12 +176,12 @@ fn proxies_lack_the_tail() {
         let tail = |alpha: f64| alpha * alpha / (PI * far.powi(4));
         // The next terms of both tails are of the order of (sigma/s)^2.
         let few = 40.0 * (sigma / far).powi(2);
-        let filtered = ggx_gaussian_mean(&Lobe::centred(base), [far, 0.0], &kernel);
+        let filtered = ggx_gaussian_mean(&Lobe::centered(base), [far, 0.0], &kernel);
         assert!((filtered / tail(alpha) - 1.0).abs() < few, "{filtered} at {far}");
         for proxy in [base.widened(&kernel), base.peak_matched(&kernel), base.peak_fitted(&kernel)]
         {
-            let density = Ggx::new(Full::new(proxy)).slope_pdf([far, 0.0]);
-            assert!((density / tail(proxy.alphas().x) - 1.0).abs() < few, "{density} at {far}");
+            let density = Ggx::new(Anisotropic::new(proxy)).slope_pdf([far, 0.0]);
+            assert!((density / tail(proxy.alphas().major) - 1.0).abs() < few, "{density} at {far}");
             assert!(density > 8.0 * filtered, "{density} {filtered}");
         }
     }

@@ -48,11 +48,11 @@ fn sums_and_scalings<R: Real>(source: &mut Source) -> TestCaseResult {
         let (want, rounding) = det(entries);
         near(m.det().to_f64(), want, few * want.abs() + rounding, &inputs)?;
     }
-    let sum = a.plus(&b);
+    let sum = a + b;
     is_covariance(&sum, &inputs)?;
     let (want, rounding) = det([0, 1, 2].map(|k| a_entries[k] + b_entries[k]));
     near(sum.det().to_f64(), want, few * want + rounding, &inputs)?;
-    let scaled = a.scaled(factor);
+    let scaled = a * factor;
     is_covariance(&scaled, &inputs)?;
     let square = factor.to_f64() * factor.to_f64();
     near(scaled.det().to_f64(), a.det().to_f64() * square, few * a.det().to_f64() * square, &inputs)
@@ -76,7 +76,7 @@ fn outer_sums<R: Real>(source: &mut Source) -> TestCaseResult {
     let size = (u[0].hypot(u[1])) * (v[0].hypot(v[1]));
     let cross = nalgebra::Matrix2::from_columns(&[u.into(), v.into()]).determinant().abs();
     near(kernel.root_det().to_f64(), cross, few * cross + 4.0 * ULP * size, &inputs)?;
-    let widened = a.plus(&kernel);
+    let widened = a + kernel;
     is_covariance(&widened, &inputs)?;
     // det(A + u u^T + v v^T) = det A + |L^T J u|^2 + |L^T J v|^2 + cross^2: positive terms alone.
     let (base, rounding) = det(a_entries);
@@ -231,12 +231,12 @@ fn decompositions_are_those_of_nalgebra() {
 fn an_axis_that_is_a_rounding_of_zero_does_not_count() {
     let lobe = Psd::new(9.2386e-6_f32, 0.0, 1e-8).expect("positive");
     let along_y = |x: f32| Psd::outer_sum([x, 4e-3], [-0.37 * x, -4e-3]);
-    let want = lobe.plus(&along_y(0.0)).root_det();
+    let want = (lobe + along_y(0.0)).root_det();
     for x in [1e-17_f32, 1e-18, 2.7e-19, 1e-19, 1e-22] {
-        for half in [along_y(x), along_y(x).scaled(0.16)] {
-            let whole = half.plus(&half).scaled(0.5);
+        for half in [along_y(x), along_y(x) * 0.16] {
+            let whole = (half + half) * 0.5;
             let scale = half.entries()[2] / along_y(0.0).entries()[2];
-            let got = lobe.plus(&whole.scaled(1.0 / scale)).root_det();
+            let got = (lobe + whole * (1.0 / scale)).root_det();
             assert!((got / want - 1.0).abs() < 1e-6, "{x:e}: {got:e}, not {want:e}");
         }
     }

@@ -1,4 +1,4 @@
-//! Pixel steps of rays: neighbouring rays that meet the plane, and the ellipse of a cone.
+//! Pixel steps of rays: neighboring rays that meet the plane, and the ellipse of a cone.
 
 use crate::common::arbitrary::Source;
 use crate::common::{ULP_SINGLE, check, near, near_all};
@@ -20,11 +20,11 @@ fn view(source: &mut Source) -> V3 {
 }
 
 #[test]
-fn a_step_is_where_the_neighbouring_ray_meets_the_plane() {
+fn a_step_is_where_the_neighboring_ray_meets_the_plane() {
     check(20_000, |source| {
         let (wo, distance) = (view(source), source.log_uniform(0.1, 100.0));
         let (origin, direction) = (vector(source, 1.0), vector(source, 1.0));
-        // The neighbour's unit direction turns; only what is across the ray changes it.
+        // The neighbor's unit direction turns; only what is across the ray changes it.
         let direction = direction - wo * wo.dot(&direction);
         let hit = |e: f64| {
             let start = wo * distance + origin * e;

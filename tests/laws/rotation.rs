@@ -145,7 +145,7 @@ fn the_law_of_rotation_finds_a_gram_matrix() {
     // Trace and determinant agree: a test on round lobes sees nothing.
     let footprint = Footprint::from_slopes([0.3, 0.1], [-0.2, 0.5]);
     let right = Kernel::of(&footprint, PixelFilter::KAPLANYAN).covariance();
-    let wrong = gram(&footprint).scaled(0.25);
+    let wrong = gram(&footprint) * 0.25;
     assert!((right.trace() - wrong.trace()).abs() < 1e-15);
     assert!((right.det() - wrong.det()).abs() < 1e-15);
 }
@@ -181,8 +181,8 @@ fn rescaled_footprints_turn() {
     check(20_000, |source| {
         let (footprint, angle) = (source.footprint(), source.angle());
         let limit = source.log_uniform(1e-6, 10.0);
-        let still = turn(&footprint.rescaled(limit), angle);
-        let turned = turn(&footprint, angle).rescaled(limit);
+        let still = turn(&footprint.capped(limit), angle);
+        let turned = turn(&footprint, angle).capped(limit);
         let tolerance = 16.0 * ULP * footprint.diameter();
         let inputs = (footprint, angle, limit);
         near_all(&turned.u, &still.u, tolerance, &inputs)?;

@@ -5,7 +5,7 @@ use crate::common::arbitrary::Source;
 use crate::common::{check, ensure, near};
 use lobe::material::Fresnel;
 use lobe::shade::{Material, bake_all, evaluate_all};
-use lobe::{Distribution, Error, Ggx, Kernel, Lobe, Psd, Real, Roughness, Shape};
+use lobe::{Distribution, Error, Ggx, Kernel, Lobe, LobeShape, Psd, Real, Roughness};
 use nalgebra::Complex;
 
 /// The Fresnel term by complex refraction, as textbooks have it.
@@ -176,7 +176,7 @@ fn slices_are_evaluated_one_by_one_or_not_at_all() {
 fn a_white_material_reflects_no_more_than_it_receives() {
     let mut smoother = 1.0;
     for alpha in [0.1, 0.3, 1.0, 3.0] {
-        let lobe = Lobe::centred(Roughness::from_alpha(alpha).expect("an alpha"));
+        let lobe = Lobe::centered(Roughness::from_alpha(alpha).expect("an alpha"));
         let shading = Material::ggx(lobe, Fresnel::<f64>::white()).unfiltered();
         let wo = [0.6, 0.0, 0.8];
         // Midpoints in the height and the azimuth.

@@ -5,7 +5,7 @@
 use crate::common::arbitrary::Source;
 use crate::common::{check, ensure, near, near_all};
 use lobe::material::lean::{
-    Border, Clipped, Float16, Float32, HeightField, SlopeCap, Storage, Unorm16,
+    Border, ClippedTexels, Float16, Float32, HeightField, SlopeCap, Storage, Unorm16,
 };
 use lobe::slope::direction::normal_of;
 use lobe::{Error, Psd, SlopeMoments};
@@ -95,8 +95,8 @@ fn heights_have_the_slopes_of_what_they_displace() {
     // In two bands, as threads take it.
     let (upper, lower) = slopes.split_at_mut(4 * width);
     let clipped =
-        field.slopes(cap, 0, upper).expect("rows").plus(field.slopes(cap, 4, lower).expect("rows"));
-    assert_eq!(clipped, Clipped { texels: 0, of: width * height });
+        field.slopes(cap, 0, upper).expect("rows") + field.slopes(cap, 4, lower).expect("rows");
+    assert_eq!(clipped, ClippedTexels { texels: 0, of: width * height });
     for (p, [x, y]) in slopes.into_iter().enumerate() {
         let (a, b) = (turn(p % width, width), turn(p / width, height));
         let along = 3.0 / 0.5 * a.cos() * turn(1, width).sin() * b.cos();

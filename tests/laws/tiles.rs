@@ -7,20 +7,25 @@ use crate::common::arbitrary::Source;
 use crate::common::facets::{dictionary, surface};
 use crate::common::{check, ensure, near};
 use lobe::Real;
-use lobe::material::glint::{Biscale, Cell, Covered, Glints, Grid, Patch};
+use lobe::material::cells::{Cell, Patch};
+use lobe::material::glint::{Biscale, CoveredCell, Glints, Grid};
 use proptest::test_runner::TestCaseResult;
 use std::collections::{HashMap, HashSet};
 
 /// The cells of a pixel and their shares, of a size of at least `least`.
-fn cells<R: Real>(patch: &Patch<R>, factors: [R; 2], least: f64) -> Vec<Covered<R>> {
+fn cells<R: Real>(patch: &Patch<R>, factors: [R; 2], least: f64) -> Vec<CoveredCell<R>> {
     let mut cells = Vec::new();
     Grid::stretched(patch, factors, R::lit(least)).visit(|cell| cells.push(cell));
     cells
 }
 
 /// Two pixels have shares of equal cells that differ by less than `tolerance`.
-fn alike<R: Real>(one: &[Covered<R>], other: &[Covered<R>], tolerance: f64) -> TestCaseResult {
-    let shares = |cells: &[Covered<R>]| -> HashMap<_, _> {
+fn alike<R: Real>(
+    one: &[CoveredCell<R>],
+    other: &[CoveredCell<R>],
+    tolerance: f64,
+) -> TestCaseResult {
+    let shares = |cells: &[CoveredCell<R>]| -> HashMap<_, _> {
         cells.iter().map(|cell| ((cell.index, cell.exponent), cell.share.to_f64())).collect()
     };
     let (one, other) = (shares(one), shares(other));
@@ -68,7 +73,7 @@ fn plain_and_tiled_agree<R: Real>() {
         ensure(one == other, "cells differ", &(tiled, &one, &other))?;
         let biscale = Biscale::from_fractions([R::HALF; 2], [R::lit(0.1); 2]).expect("in range");
         let glints = Glints::new(biscale, R::ONE).expect("in range");
-        let sparkle = |patch| glints.lobe(patch).sparkle([R::ZERO, R::ZERO, R::ONE], R::ZERO);
+        let sparkle = |patch| glints.ndf(patch).sparkle([R::ZERO, R::ZERO, R::ONE], R::ZERO);
         ensure(sparkle(&tiled) == sparkle(&plain), "sparkles differ", &tiled)
     });
 }
@@ -157,7 +162,7 @@ fn a_border_is_seen_alike_from_both_sides() {
         };
         let facets = surface(f64::max(3.0 * two_to(-2 * size), 1e-18), 7);
         let [one, other] = [here, there]
-            .map(|patch| facets.lobe(dictionary(), &double(patch)).slope_pdf([0.1, 0.05]));
+            .map(|patch| facets.ndf(dictionary(), &double(patch)).slope_pdf([0.1, 0.05]));
         near(one, other, 1e-9 * one, &(here, there))
     });
 }
@@ -225,7 +230,7 @@ fn sparkle_of(alphas: [f32; 2], tile: [i32; 2], uv: [f64; 2]) -> f64 {
     let biscale = Biscale::from_fractions(alphas, [0.05; 2]).expect("in range");
     let glints = Glints::new(biscale, 5e6).expect("in range");
     let patch = Patch::in_tile(tile, uv.map(|x| x as f32), [1e-3, 0.0], [0.0, 1e-3]);
-    f64::from(glints.lobe(&patch).sparkle([0.0, 0.0, 1.0], 0.0))
+    f64::from(glints.ndf(&patch).sparkle([0.0, 0.0, 1.0], 0.0))
 }
 
 /// Mean 1 and one deviation, at any tile, of round details and of stretched ones.
@@ -290,7 +295,7 @@ fn cells_end_where_indices_do() {
     }
 }
 
-/// No tile repeats the first one: neither its neighbours nor tiles whose indices differ by multiples of 2^32.
+/// No tile repeats the first one: neither its neighbors nor tiles whose indices differ by multiples of 2^32.
 #[test]
 fn tiles_are_independent() {
     // Cells of width 1e-3 are 2^-10 and 2^-9, so 2^22 tiles are 2^32 of the finer cells.
@@ -318,7 +323,7 @@ fn facets_are_as_bright_and_as_varied_in_any_tile() {
     let facets = surface(4e6, 3);
     let density = |tile: [i32; 2], uv: [f64; 2]| {
         let patch = Patch::in_tile(tile, uv, [1e-3, 0.0], [0.0, 1e-3]);
-        facets.lobe(dictionary(), &patch).slope_pdf([0.1, 0.05])
+        facets.ndf(dictionary(), &patch).slope_pdf([0.1, 0.05])
     };
     let (count, mean, near, near_error) = statistics(20_000, |uv| density([0; 2], uv));
     for tile in [[1, -1], [1_000_000, 1_000_000], [1 << 30, -(1 << 30)], [1 << 22, 0]] {

@@ -2,14 +2,14 @@
 #![cfg(feature = "published")]
 
 #[allow(dead_code)]
-#[path = "../../examples/presets.rs"]
+#[path = "../../examples/engines.rs"]
 mod presets;
 
 #[test]
 fn the_table_of_engines_is_what_its_example_prints() {
-    let text = include_str!("../../src/filter/preset.md");
+    let text = include_str!("../../src/filter/engine.md");
     let made = presets::table().expect("constants in range");
-    assert_eq!(text, made, "cargo run --example presets > src/filter/preset.md");
+    assert_eq!(text, made, "cargo run --example engines > src/filter/engine.md");
 }
 
 /// Every erratum in README names a test of tests/laws/errata*.rs, and every such test is named.

@@ -1,4 +1,4 @@
-//! What is written rather than computed: the texts of the WGSL mirror, the floors of `src`, tables in the documentation.
+//! What is written rather than computed: the texts of the WGSL port, the layers of `src`, tables in the documentation.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -16,8 +16,8 @@ mod link;
 mod translate;
 
 mod documents;
-mod floors;
-mod mirror;
+mod layers;
 mod modules;
+mod twins;
 mod wgsl;
 mod wgsl_text;

@@ -1,4 +1,4 @@
-//! The mirror's texts as a compiler sees them: valid, and nothing in them that was not asked for.
+//! The WGSL port's texts as a compiler sees them: valid, and nothing in them that was not asked for.
 #![cfg(feature = "wgsl")]
 
 use crate::common::arbitrary::Source;
@@ -138,6 +138,6 @@ fn gated(name: &str, feature: &'static str, is_on: bool) {
 #[test]
 fn items_behind_a_feature_name_it() {
     gated("engine_alpha", "published", cfg!(feature = "published"));
-    gated("glint_lobe_sparkle", "glint", cfg!(feature = "glint"));
+    gated("glint_ndf_sparkle", "glint", cfg!(feature = "glint"));
     gated("marginal_mean", "glint", cfg!(feature = "glint"));
 }

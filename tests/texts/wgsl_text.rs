@@ -1,4 +1,4 @@
-//! The mirror's texts, word by word: nothing that compilers answer differently, no name that translators change.
+//! The WGSL port's texts, word by word: nothing that compilers answer differently, no name that translators change.
 #![cfg(all(feature = "wgsl", feature = "glint"))]
 
 use crate::entry::{Device, Shader, declared, names};
@@ -8,7 +8,7 @@ use naga::back::wgsl::WriterFlags;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
-/// Builtins whose accuracy, NaNs or order of operations drivers choose. The mirror has its own of those that it needs;
+/// Builtins whose accuracy, NaNs or order of operations drivers choose. The WGSL port has its own of those that it needs;
 /// `sqrt` and quotients are the driver's.
 const LOOSE: &str = "atan atan2 exp exp2 log log2 pow sin cos tan sinh cosh tanh asin acos asinh acosh atanh mix \
     fma inverseSqrt normalize length distance smoothstep sign min max clamp saturate step dot cross reflect refract faceForward \
@@ -319,6 +319,6 @@ fn a_texture_holds_the_dictionary_and_nothing_else_changes() {
         );
         assert!(textured(&text).contains("textureLoad("));
     }
-    let plain = source(&[Item::GgxBrdf, Item::GlintLobeBrdf]);
+    let plain = source(&[Item::GgxBrdf, Item::GlintNdfBrdf]);
     assert_eq!(textured(&plain), plain);
 }

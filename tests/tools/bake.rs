@@ -280,7 +280,7 @@ fn pictures_that_are_no_normal_maps_are_refused() {
     huge[29..33].copy_from_slice(&sum.to_be_bytes());
     let eight = |color, data: &[u8]| picture(SIZE, color, BitDepth::Eight, data);
     let down: Vec<_> = texels().iter().map(|&[x, y, _]| [x, y, 12]).collect();
-    let grey = eight(ColorType::Grayscale, &[9; 15]);
+    let gray = eight(ColorType::Grayscale, &[9; 15]);
     let height: &[&str] = &["--height", "1", "--texel", "1"];
     // Damaged pixels under a chunk's checksum that was made anew: the pixels' own one knows.
     let mut damaged = whole.clone();
@@ -299,11 +299,11 @@ fn pictures_that_are_no_normal_maps_are_refused() {
         // Without its end alone, too.
         (&whole[..whole.len() - 12], &[], "not a readable PNG"),
         (&huge, &[], "16385 x 3 is too large"),
-        (&grey, &[], "height (bump) map"),
+        (&gray, &[], "height (bump) map"),
         (&eight(ColorType::GrayscaleAlpha, &[9; 30]), &[], "--height"),
         (&rgb(&down), &[], "not a tangent-space normal map"),
         (&rgb(&[[250, 250, 255]; 15]), &["--channels", "rg"], "not a tangent-space normal map"),
-        (&whole, height, "colour"),
+        (&whole, height, "color"),
     ];
     for (file, options, said) in cases {
         fs::write(&input, file).expect("a file");

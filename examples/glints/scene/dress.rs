@@ -9,7 +9,7 @@ use lobe::Error;
 use lobe::material::Fresnel;
 use lobe::material::glint::hue_wheel;
 
-/// Around the z axis, in metres; u runs around it as a length without folds, v upwards.
+/// Around the z axis, in meters; u runs around it as a length without folds, v upwards.
 struct Dress;
 
 /// Of the hem and of the seam at the top.
@@ -31,7 +31,7 @@ const PROFILE: [[f64; 2]; 10] = [
     [1.3, 0.168],
 ];
 
-/// The radius without folds: a cubic through the profile, with tangents of neighbours.
+/// The radius without folds: a cubic through the profile, with tangents of neighbors.
 fn profile(z: f64) -> f64 {
     let last = PROFILE.len() - 2;
     let k = PROFILE.iter().skip(1).position(|[height, _]| z < *height).unwrap_or(last).min(last);
@@ -121,7 +121,7 @@ pub(super) fn dress() -> Result<Scene, Error> {
     let mut material = Material::new([0.55; 2], [0.05; 2], 4e6, 1.2)?;
     material.fresnel = Fresnel::schlick([0.35, 0.32, 0.4])?;
     material.base = Vec3::new(0.05, 0.03, 0.125);
-    // Less than pure colours, of the same mean.
+    // Less than pure colors, of the same mean.
     material.palette = Some(|hue| hue_wheel(hue).map(|channel| 0.3 + 0.7 * channel));
     Ok(Scene {
         view: View {

@@ -1,7 +1,7 @@
 //! A scene: a surface of one material under a few lights, in front of something.
 
 mod ball;
-mod disc;
+mod disk;
 mod dress;
 mod plane;
 mod snow;
@@ -25,7 +25,7 @@ pub(crate) struct Scene {
     pub(crate) environment: fn(DVec3) -> Vec3,
     /// Radiance behind the surface, by direction.
     pub(crate) backdrop: fn(DVec3) -> Vec3,
-    /// What radiance is multiplied by before it becomes a colour.
+    /// What radiance is multiplied by before it becomes a color.
     pub(crate) exposure: f32,
 }
 
@@ -63,7 +63,7 @@ pub(crate) fn scene(subject: Subject) -> Result<Scene, Error> {
     match subject {
         Subject::Snow => snow::snow(),
         Subject::Fabric => dress::dress(),
-        Subject::Brushed => disc::disc(),
+        Subject::Brushed => disk::disk(),
         Subject::Ball => ball::ball(),
         Subject::Zoom => glitter(1.0),
     }

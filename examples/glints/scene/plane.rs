@@ -8,7 +8,7 @@ use glam::{DVec3, Vec3};
 use lobe::Error;
 use lobe::material::Fresnel;
 
-/// The ground, in metres.
+/// The ground, in meters.
 struct Ground;
 
 impl Surface for Ground {
@@ -23,7 +23,7 @@ impl Surface for Ground {
     }
 }
 
-/// The plane from a distance in metres: the farther, the more of it, and the same highlight.
+/// The plane from a distance in meters: the farther, the more of it, and the same highlight.
 pub(crate) fn glitter(distance: f64) -> Result<Scene, Error> {
     // No place of whole numbers, which cells of all sizes share.
     let target = DVec3::new(0.3719, 0.8263, 0.0);

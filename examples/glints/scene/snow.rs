@@ -9,7 +9,7 @@ use lobe::material::Fresnel;
 use lobe::{Error, Psd, SlopeMoments};
 use std::f64::consts::TAU;
 
-/// A sum of waves over the plane, in metres.
+/// A sum of waves over the plane, in meters.
 struct Ground {
     waves: Vec<Wave>,
     /// No height is above this, and no slope steeper.
@@ -24,7 +24,7 @@ struct Wave {
     phase: f64,
 }
 
-/// Wave lengths in metres, the largest slope of each, and its direction in turns: hills, dunes, ripples of the wind.
+/// Wave lengths in meters, the largest slope of each, and its direction in turns: hills, dunes, ripples of the wind.
 const WAVES: [[f64; 3]; 11] = [
     [310.0, 0.09, 0.2],
     [170.0, 0.07, 0.41],

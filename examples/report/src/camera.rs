@@ -65,7 +65,7 @@ impl Camera<f64> {
         Self::looking(size, eye, [0.0, cos, 1.0 - sin], focal)
     }
 
-    /// A camera that has `target` at the picture's centre and the world's z axis upright; `focal` is the
+    /// A camera that has `target` at the picture's center and the world's z axis upright; `focal` is the
     /// distance, in pixels, at which a pixel is as wide as on the picture.
     pub(crate) fn looking(size: Size, eye: Vector<f64>, target: Vector<f64>, focal: f64) -> Self {
         let forward = normalize(sub(target, eye));
@@ -159,13 +159,13 @@ mod tests {
     }
 
     #[test]
-    fn a_camera_sees_its_target_at_the_centre_and_pixels_at_their_size() {
+    fn a_camera_sees_its_target_at_the_center_and_pixels_at_their_size() {
         let size = Size::of_width(400);
         let (eye, target) = ([100.0_f64, -900.0, 300.0], [-20.0, 50.0, 10.0]);
         let distance = dot(sub(target, eye), sub(target, eye)).sqrt();
         let camera = Camera::looking(size, eye, target, distance);
-        let centre = camera.ray(200.0, 112.5);
-        let hit = centre.at(distance);
+        let center = camera.ray(200.0, 112.5);
+        let hit = center.at(distance);
         let pixel = camera.ray(201.0, 112.5).at(distance);
         for k in 0..3 {
             assert!((hit[k] - target[k]).abs() < 1e-9);

@@ -1,4 +1,4 @@
-//! Which pixels are judged: those whose 3 x 3 neighbourhood the surface covers.
+//! Which pixels are judged: those whose 3 x 3 neighborhood the surface covers.
 //!
 //! Silhouettes inside a pixel are no specular filter's business. The pixels just inside of them are, and
 //! there the view grazes the surface.
@@ -57,7 +57,7 @@ mod tests {
         let (mut inside, mut rim) = (0, 0);
         for (index, judged) in mask.into_iter().enumerate() {
             let (x, y) = ((index % size.width) as f64 + 0.5, (index / size.width) as f64 + 0.5);
-            // A circle of points through the neighbours.
+            // A circle of points through the neighbors.
             let around = (0..32).all(|k| {
                 let (sin, cos) = (0.19635 * f64::from(k)).sin_cos();
                 scene.covers(x + 1.49 * cos, y + 1.49 * sin)

@@ -23,14 +23,14 @@ pub(crate) struct Disagreement {
 /// A pixel of a scene with the others of its quad: this one, beside, below and across; and its motions.
 fn quad(scene: &Scene<f32>, size: Size, index: usize) -> ([Sample<f32>; 4], Motions<f32>) {
     let (x, y) = (index % size.width, index / size.width);
-    let centre = |k: usize| k as f32 + 0.5;
-    let (here, motions) = scene.sample_in_motion(centre(x), centre(y));
-    let at = |x: usize, y: usize| scene.sample(centre(x), centre(y));
+    let center = |k: usize| k as f32 + 0.5;
+    let (here, motions) = scene.sample_in_motion(center(x), center(y));
+    let at = |x: usize, y: usize| scene.sample(center(x), center(y));
     ([here, at(x ^ 1, y), at(x, y ^ 1), at(x ^ 1, y ^ 1)], motions)
 }
 
 impl Disagreement {
-    /// In the methods' precision, at pixel centres. `None` without a judged pixel.
+    /// In the methods' precision, at pixel centers. `None` without a judged pixel.
     pub(crate) fn on(scene: &Scene<f32>, size: Size, judged: &[bool]) -> Option<Self> {
         let of = |(index, &judged): (usize, &bool)| {
             judged.then(|| {

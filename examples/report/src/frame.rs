@@ -24,7 +24,7 @@ pub(crate) struct Turn<R> {
 impl<R: Scalar> Frame<R> {
     /// The frame around a unit normal whose first axis is `tangent` made perpendicular and of length 1.
     ///
-    /// Smooth wherever both are: neighbouring pixels' half vectors, each in its own frame, then differ
+    /// Smooth wherever both are: neighboring pixels' half vectors, each in its own frame, then differ
     /// by what the surface does and not by a jump of the frame. A normal along the tangent has no such
     /// frame; its directions come out as zero and shade to black.
     #[inline]

@@ -38,18 +38,17 @@ impl<const N: usize> Level<N> {
     #[inline]
     pub(crate) fn nearest<R: Scalar>(&self, uv: [R; 2]) -> [f32; N] {
         let [x, y] = self.scaled(uv).map(|t| t.split().0);
-        let [[column, _], [row, _]] =
-            [neighbours(x, self.period[0]), neighbours(y, self.period[1])];
+        let [[column, _], [row, _]] = [neighbors(x, self.period[0]), neighbors(y, self.period[1])];
         self.texels[row * self.size[0] + column]
     }
 
     /// The four texels around a point, rows first, and the point's fractions between them; coordinates count texels, and
-    /// texel (i, j) has its centre at (i + 1/2, j + 1/2), as on a GPU.
+    /// texel (i, j) has its center at (i + 1/2, j + 1/2), as on a GPU.
     #[inline]
     pub(crate) fn corners<R: Scalar>(&self, at: [R; 2]) -> ([[[R; N]; 2]; 2], [R; 2]) {
         let [(column, fx), (row, fy)] = at.map(|t| (t - R::HALF).split());
-        let columns = neighbours(column, self.period[0]);
-        let rows = neighbours(row, self.period[1]);
+        let columns = neighbors(column, self.period[0]);
+        let rows = neighbors(row, self.period[1]);
         let texel = |column: usize, row: usize| {
             self.texels[row * self.size[0] + column].map(|c| R::lit(f64::from(c)))
         };
@@ -133,7 +132,7 @@ pub(crate) fn mix<R: Scalar, const N: usize>(a: [R; N], b: [R; N], t: R) -> [R; 
 
 /// A texel index and the next one, repeated with the given period.
 #[inline]
-fn neighbours(index: i32, period: i32) -> [usize; 2] {
+fn neighbors(index: i32, period: i32) -> [usize; 2] {
     let first = index.rem_euclid(period).unsigned_abs() as usize;
     let second = first + 1;
     [first, if second == period.unsigned_abs() as usize { 0 } else { second }]
@@ -144,7 +143,7 @@ mod tests {
     use super::{Chain, Level};
 
     #[test]
-    fn centres_give_their_texels_and_halves_their_means() {
+    fn centers_give_their_texels_and_halves_their_means() {
         let level = Level::new([2, 2], vec![[0.0], [1.0], [4.0], [9.0]]);
         assert_eq!(level.nearest([0.3_f32, 0.9]), [4.0]);
         assert_eq!(level.nearest([-0.3_f32, 1.2]), [1.0]);

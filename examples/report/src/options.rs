@@ -71,7 +71,7 @@ pub(crate) struct Options {
     /// Width of the pictures in pixels, 16 to 4096; the height follows (16:9).
     ///
     /// Surfaces keep their size in pixels: a smaller picture shows less of them. Above 400, balls, torus,
-    /// strips and disc grow with the picture. Pictures of facets are at least 24 pixels wide.
+    /// strips and disk grow with the picture. Pictures of facets are at least 24 pixels wide.
     /// [default: 400, with --quick 240]
     #[arg(long, value_name = "N", value_parser = width, allow_negative_numbers = true)]
     pub(crate) size: Option<usize>,
@@ -98,8 +98,8 @@ pub(crate) enum Scenes {
     Relief,
     /// Thin strips at grazing angles.
     Strip,
-    /// A brushed disc with grooves.
-    Disc,
+    /// A brushed disk with grooves.
+    Disk,
     /// Normal maps on a plane, many texels to a pixel, and a zoom.
     Minified,
     /// Details that flicker: two models of glints against real details, and filters of many facets, with materials and

@@ -1,4 +1,4 @@
-//! How far two parallelograms around one centre cover each other.
+//! How far two parallelograms around one center cover each other.
 
 use lobe::Footprint;
 

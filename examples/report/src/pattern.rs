@@ -1,9 +1,9 @@
 //! Points in the unit square: a net for the methods, jittered strata for the reference.
 
-/// The `index`-th of `count` points of a centred Hammersley net, `count` a power of two.
+/// The `index`-th of `count` points of a centered Hammersley net, `count` a power of two.
 ///
-/// Every dyadic box of area 1/count holds one point, and the mean of all points is the centre: one
-/// point is the pixel's centre, four are the rotated grid of multisampling.
+/// Every dyadic box of area 1/count holds one point, and the mean of all points is the center: one
+/// point is the pixel's center, four are the rotated grid of multisampling.
 pub(crate) fn hammersley(index: u32, count: u32) -> [f32; 2] {
     let step = 1.0 / count as f32;
     let reversed = index.reverse_bits() as f32 / 4_294_967_296.0;
@@ -14,7 +14,7 @@ pub(crate) fn hammersley(index: u32, count: u32) -> [f32; 2] {
 pub(crate) struct Jitter(u64);
 
 impl Jitter {
-    /// The stream of a seed; neighbouring seeds give unrelated streams.
+    /// The stream of a seed; neighboring seeds give unrelated streams.
     pub(crate) fn new(seed: u64) -> Self {
         Self(mix(seed.wrapping_add(1).wrapping_mul(GOLDEN)))
     }
@@ -40,7 +40,7 @@ mod tests {
     use super::{Jitter, hammersley};
 
     #[test]
-    fn every_dyadic_box_holds_one_point_and_the_mean_is_the_centre() {
+    fn every_dyadic_box_holds_one_point_and_the_mean_is_the_center() {
         assert_eq!(hammersley(0, 1), [0.5, 0.5]);
         for log in [2_u32, 4, 6, 8] {
             let count = 1 << log;

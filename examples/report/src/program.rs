@@ -174,7 +174,7 @@ fn subjects(options: &Options, size: Size, maps: &[NormalMap]) -> Vec<Subject> {
     add(Scenes::Plane, &|| maps.iter().map(|map| Subject::plane(size, map)).collect());
     add(Scenes::MappedSphere, &|| maps.iter().map(|map| Subject::mapped_ball(size, map)).collect());
     add(Scenes::Strip, &|| vec![Subject::strips(size)]);
-    add(Scenes::Disc, &|| vec![Subject::disc(size)]);
+    add(Scenes::Disk, &|| vec![Subject::disk(size)]);
     subjects
 }
 

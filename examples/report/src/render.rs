@@ -102,7 +102,7 @@ fn supersample(
     }
 }
 
-/// A row of samples at pixel centres, with motions if they are asked for.
+/// A row of samples at pixel centers, with motions if they are asked for.
 struct Row {
     samples: Vec<Sample<f32>>,
     motions: Vec<Motions<f32>>,

@@ -12,7 +12,7 @@
 //! $s = (-h_x/h_z, -h_y/h_z)$. The sides of its footprint are the slopes of the pixel beside it and of the one
 //! below or above it in the quad, less its own: `dpdxFine(s)` and `dpdyFine(s)` but for the sign, which is
 //! theirs in even columns and rows and the opposite in odd ones, and which no filter asks for. No half vector
-//! is brought into a neighbour's frame: how the frames turn is part of the footprint (Kaplanyan et al. 2016,
+//! is brought into a neighbor's frame: how the frames turn is part of the footprint (Kaplanyan et al. 2016,
 //! Eq. 6). If one of the three half vectors is not above its horizon, the footprint is zero.
 
 use lobe::Footprint;
@@ -33,7 +33,7 @@ use crate::window::PixelWindow;
 
 pub use crate::scene::Traced;
 
-/// What the sample at a pixel's centre sees, as the methods get it: directions are of unit length, in the pixel's
+/// What the sample at a pixel's center sees, as the methods get it: directions are of unit length, in the pixel's
 /// own shading frame, the normal along z, but for [`Seen::normal`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Seen {
@@ -92,7 +92,7 @@ pub struct Shot {
     /// How far those two footprints are from each other by [`non_overlap`]: the report's Fig. 7; 0 where a pixel is
     /// not judged.
     pub disagreement: Vec<f64>,
-    /// The pixels that errors count: those whose 3 x 3 neighbours are covered.
+    /// The pixels that errors count: those whose 3 x 3 neighbors are covered.
     pub judged: Vec<bool>,
     /// Brings radiance to a mean box reference of 1 over the judged pixels.
     pub scale: f64,
@@ -143,9 +143,9 @@ impl Shot {
         Errors::of(picture, &of.reference, &self.judged, self.scale)
     }
 
-    /// Grey bytes in sRGB of a picture as the report's page shows it, under the tone curve of the box reference.
+    /// Gray bytes in sRGB of a picture as the report's page shows it, under the tone curve of the box reference.
     pub fn shown(&self, picture: &[f64]) -> Vec<u8> {
-        Tone::of(&self.exact.reference).grey(picture)
+        Tone::of(&self.exact.reference).gray(picture)
     }
 
     fn of(subject: Subject, alpha: f64) -> Result<Self, String> {
@@ -168,7 +168,7 @@ impl Shot {
         let Ok([plain, widened, exact]) = <[Shaded; 3]>::try_from(shaded) else {
             return Err("a method of these names is missing".into());
         };
-        let samples = Samples::at_centres(&lit.engine, size);
+        let samples = Samples::at_centers(&lit.engine, size);
         Ok(Self {
             name: subject.name,
             caption: subject.caption,
@@ -177,10 +177,10 @@ impl Shot {
             height: size.height,
             seen: samples.seen(),
             footprints: samples.footprints(size),
-            traced: centres(samples.width, samples.samples.len())
+            traced: centers(samples.width, samples.samples.len())
                 .map(|[x, y]| lit.engine.traced(x, y))
                 .collect(),
-            analytic: centres(size.width, size.pixels())
+            analytic: centers(size.width, size.pixels())
                 .map(|[x, y]| {
                     let (here, motions) = lit.engine.sample_in_motion(x, y);
                     let footprint = MovingPixel { here: &here, motions: &motions }.footprint();
@@ -236,21 +236,21 @@ pub fn non_overlap(a: [[f32; 2]; 2], b: [[f32; 2]; 2]) -> f64 {
     overlap::non_overlap(&a, &b)
 }
 
-/// Centres of so many pixels, row by row.
-fn centres(width: usize, count: usize) -> impl Iterator<Item = [f32; 2]> {
+/// Centers of so many pixels, row by row.
+fn centers(width: usize, count: usize) -> impl Iterator<Item = [f32; 2]> {
     (0..count).map(move |index| [index % width, index / width].map(|corner| corner as f32 + 0.5))
 }
 
-/// Samples at the centres of whole quads of pixels.
+/// Samples at the centers of whole quads of pixels.
 struct Samples {
     width: usize,
     samples: Vec<Sample<f32>>,
 }
 
 impl Samples {
-    fn at_centres(scene: &Scene<f32>, size: Size) -> Self {
+    fn at_centers(scene: &Scene<f32>, size: Size) -> Self {
         let [width, height] = [size.width, size.height].map(|side| side.next_multiple_of(2));
-        let samples = centres(width, width * height).map(|[x, y]| scene.sample(x, y)).collect();
+        let samples = centers(width, width * height).map(|[x, y]| scene.sample(x, y)).collect();
         Self { width, samples }
     }
 

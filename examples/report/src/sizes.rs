@@ -54,7 +54,7 @@ pub(crate) struct Sizes {
 
 /// Shading without a filter, with the same shape and distribution.
 fn base(brdf: Item) -> Vec<Item> {
-    vec![Item::RoughnessFromAlpha, Item::FullNew, Item::FullPair, brdf]
+    vec![Item::RoughnessFromAlpha, Item::AnisotropicNew, Item::AnisotropicPair, brdf]
 }
 
 impl Sizes {
@@ -66,7 +66,9 @@ impl Sizes {
             .items()
             .iter()
             .copied()
-            .filter(|item| ![Item::FragmentFootprint, Item::KernelOf, Item::Widened].contains(item))
+            .filter(|item| {
+                ![Item::FragmentFootprint, Item::KernelOf, Item::LobeWidened].contains(item)
+            })
             .collect();
         let cases: [Case; 8] = [
             ("Beckmann, forward", Preset::ForwardBeckmann.items(), &beckmann, Some(19)),
@@ -107,8 +109,8 @@ const RECTANGLE: [Item; 8] = [
     Item::SlopeOf,
     Item::KaplanyanRectangleMean,
     Item::RoughnessFromAlpha,
-    Item::FullNew,
-    Item::FullView,
+    Item::AnisotropicNew,
+    Item::AnisotropicView,
     Item::GgxVisibility,
 ];
 

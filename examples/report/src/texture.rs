@@ -55,13 +55,13 @@ impl Texture {
         Ok(Decoded { texture: Self { level: Level::new(size, normals) }, hints })
     }
 
-    /// The normal at texel coordinates (x to the right, y down), before normalisation.
+    /// The normal at texel coordinates (x to the right, y down), before normalization.
     #[inline]
     pub(crate) fn lookup<R: Scalar>(&self, x: R, y: R) -> Vector<R> {
         self.level.between([x, y])
     }
 
-    /// Derivative of the normalised [`Texture::lookup`] along a step, in texels. At the borders of texels,
+    /// Derivative of the normalized [`Texture::lookup`] along a step, in texels. At the borders of texels,
     /// where there are two, one of them.
     #[inline]
     pub(crate) fn turn<R: Scalar>(&self, at: [R; 2], step: [R; 2]) -> Vector<R> {
@@ -158,7 +158,7 @@ mod tests {
 
     #[test]
     fn palettes_and_two_channels_are_normals_too() {
-        // Two texels, of the second colour and the first, in the highest bits.
+        // Two texels, of the second color and the first, in the highest bits.
         let palette = encode(2, 1, ColorType::Indexed, BitDepth::One, &[0b1000_0000]);
         let rgb = encode(2, 1, ColorType::Rgb, BitDepth::Eight, &[255, 128, 204, 128, 128, 255]);
         assert_eq!(texture(&palette).normals(), texture(&rgb).normals());
@@ -184,11 +184,11 @@ mod tests {
     fn refusals_say_what_is_wrong() {
         assert!(refusal(&[]).contains("empty"));
         assert!(refusal(b"GIF89a").contains("not a readable PNG"));
-        let grey = encode(1, 1, ColorType::Grayscale, BitDepth::Eight, &[9]);
-        assert!(refusal(&grey).contains("height (bump) map"));
-        let grey = encode(1, 1, ColorType::Rgb, BitDepth::Eight, &[9; 3]);
-        assert!(refusal(&grey).contains("height (bump) map"));
-        // A single texel of 32 x 32 has a colour.
+        let gray = encode(1, 1, ColorType::Grayscale, BitDepth::Eight, &[9]);
+        assert!(refusal(&gray).contains("height (bump) map"));
+        let gray = encode(1, 1, ColorType::Rgb, BitDepth::Eight, &[9; 3]);
+        assert!(refusal(&gray).contains("height (bump) map"));
+        // A single texel of 32 x 32 has a color.
         let mut bump = [200; 3 * 1024];
         bump[..3].copy_from_slice(&[255, 0, 0]);
         let bump = encode(32, 32, ColorType::Rgb, BitDepth::Eight, &bump);

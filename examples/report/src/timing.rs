@@ -99,7 +99,7 @@ pub(crate) fn measure(
 
 /// Medians of the nanoseconds of `count` tasks, which take turns.
 ///
-/// Rounds are interleaved, so that a change of clock or a busy neighbour touches all tasks alike, and
+/// Rounds are interleaved, so that a change of clock or a busy neighbor touches all tasks alike, and
 /// each begins with another task; the first is a warm-up and does not count.
 pub(crate) fn in_turns(count: usize, rounds: usize, mut run: impl FnMut(usize)) -> Vec<f64> {
     let mut times = vec![Vec::with_capacity(rounds); count];

@@ -23,7 +23,7 @@ pub(crate) type PerWindow<T> = [T; PixelWindow::ALL.len()];
 /// Cells along each side of a pixel: windows are constant over one.
 pub(crate) const CELLS: usize = 16;
 
-/// Pixels that a window reaches beyond its own, on each side. Gaussians end two pixels from the centre.
+/// Pixels that a window reaches beyond its own, on each side. Gaussians end two pixels from the center.
 pub(crate) const MARGIN: usize = 2;
 
 /// Offsets of the pixels that a cell contributes to: from [`MARGIN`] before its own to as many behind it.
@@ -56,7 +56,7 @@ impl PixelWindow {
         }
     }
 
-    /// The window's exact integral over each cell, along one axis, normalised.
+    /// The window's exact integral over each cell, along one axis, normalized.
     pub(crate) fn weights(self) -> Weights {
         let mass = |from: f64, to: f64| match self.variance() {
             None => (to.min(0.5) - from.max(-0.5)).max(0.0),
@@ -70,7 +70,7 @@ impl PixelWindow {
         let step = 1.0 / CELLS as f64;
         let mut weights = [[0.0; CELLS]; OFFSETS];
         for (offset, row) in weights.iter_mut().enumerate() {
-            // Where the cell's pixel begins, from the window's centre.
+            // Where the cell's pixel begins, from the window's center.
             let start = MARGIN as f64 - offset as f64 - 0.5;
             for (cell, weight) in row.iter_mut().enumerate() {
                 let from = start + cell as f64 * step;
@@ -106,7 +106,7 @@ mod tests {
                     square += weight * x * x;
                 }
             }
-            // Within a cell a density is nearly straight: Sheppard's correction for cell centres.
+            // Within a cell a density is nearly straight: Sheppard's correction for cell centers.
             let cell = 1.0 / (CELLS as f64 * CELLS as f64 * 12.0);
             let inside = if window == PixelWindow::Box { cell } else { -cell };
             assert!((mass - 1.0).abs() < 1e-14 && mean.abs() < 1e-14);

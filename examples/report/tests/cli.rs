@@ -52,7 +52,7 @@ fn normal_maps_that_cannot_be_used_are_named_and_leave_nothing_behind() {
         fs::write(&path, bytes).unwrap();
         path
     };
-    let grey = picture(png::ColorType::Grayscale, &[0]);
+    let gray = picture(png::ColorType::Grayscale, &[0]);
     let blue = picture(png::ColorType::Rgb, &[128, 128, 255]);
     // Pixels whose own sum is wrong, under a chunk's checksum made anew.
     let mut sum = blue.clone();
@@ -61,19 +61,19 @@ fn normal_maps_that_cannot_be_used_are_named_and_leave_nothing_behind() {
     sum[end - 1] ^= 1;
     let crc = checksum(&sum[data..end]);
     sum[end..end + 4].copy_from_slice(&crc.to_be_bytes());
-    let mut no_pixels = grey.clone();
+    let mut no_pixels = gray.clone();
     no_pixels[16..24].fill(0);
     for (path, reason) in [
         (folder.join("missing.png"), ""),
         (folder.clone(), ""),
         (write("empty.png", &[]), "empty"),
         (write("text.png", b"not a picture"), "PNG"),
-        (write("cut.png", &grey[..40]), "PNG"),
+        (write("cut.png", &gray[..40]), "PNG"),
         (write("no-pixels.png", &no_pixels), ""),
         (write("end.png", &blue[..blue.len() - 2]), "PNG"),
         (write("sum.png", &sum), "PNG"),
         (write("photo.png", b"\xff\xd8\xff\xe0JFIF"), "JPEG"),
-        (write("grey.png", &grey), "height (bump) map"),
+        (write("gray.png", &gray), "height (bump) map"),
         (write("bump.png", &picture(png::ColorType::Rgb, &[7; 3])), "height (bump) map"),
         (write("black.png", &picture(png::ColorType::Rgb, &[1, 9, 12])), "normal map"),
     ] {
@@ -130,7 +130,7 @@ fn what_a_normal_map_looks_like_is_told_and_its_channels_are_named() {
     assert!(hint.starts_with("warning: --normal-map") && hint.contains("--channels ag"), "{said}");
     assert!(lines.next_back().unwrap().starts_with("error: --out"), "{said}");
     assert_eq!(run("ag").lines().count(), 1);
-    // Slopes are told of as `bake` tells of them: a flat colour that is not flat, texels at the horizon, y that points down.
+    // Slopes are told of as `bake` tells of them: a flat color that is not flat, texels at the horizon, y that points down.
     let (rising, flat, fallen) = ([134, 121, 255, 255], [118, 118, 255, 255], [0, 128, 128, 255]);
     let (sinking, neutral) = ([121, 134, 255, 255], [128, 128, 255, 255]);
     for (texels, expected) in [
@@ -163,7 +163,7 @@ fn what_a_normal_map_looks_like_is_told_and_its_channels_are_named() {
 
 #[test]
 fn a_normal_map_on_a_scene_without_one_is_a_mistake() {
-    for scene in ["water", "sphere", "torus", "strip", "disc", "relief", "glints"] {
+    for scene in ["water", "sphere", "torus", "strip", "disk", "relief", "glints"] {
         let line = refusal(&["--scene", scene, "--normal-map", "x.png"]);
         assert!(line.contains("--normal-map") && line.contains(scene), "{line}");
     }

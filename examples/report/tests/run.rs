@@ -128,7 +128,7 @@ fn every_scene_runs_under_both_lights_at_one_alpha() {
         ("torus", "torus"),
         ("mapped-sphere", "sphere: leather"),
         ("strip", "strip"),
-        ("disc", "disc"),
+        ("disk", "disk"),
     ] {
         let (text, page) = run(scene, &["--scene", scene, "--light", "all", "--alpha", "0.05"]);
         assert_self_contained(&page);
@@ -247,7 +247,7 @@ fn glints_have_pictures_tables_and_charts_of_their_own() {
     assert!(page.contains("<h2>Facets</h2>") && text.contains("\nFacets\n"));
     // The hall; of facets a tube, beads and a ball with their differences, lobes, a zoom of two rows.
     assert_eq!(page.matches("<img").count(), 2 + (6 + 6) + (6 + 5) + (4 + 3) + 6 + 2 * 8);
-    // Two keys of colours; two charts of cells, two of times, one of variance, four of error against run time; keys of
+    // Two keys of colors; two charts of cells, two of times, one of variance, four of error against run time; keys of
     // differences, three charts of error against run time, two over facets; and the figures of filters without a renderer.
     assert_eq!(page.matches("<svg").count(), 2 + 2 + 2 + 1 + 4 + (6 + 5 + 3 + 3 + 2) + 4 * 2 + 2);
     // Dictionaries are published, too.

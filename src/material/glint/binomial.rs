@@ -1,6 +1,6 @@
 //! How many of n details reflect, from one uniform number: a binomial draw without a loop over details.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use crate::scalar::Real;
 use crate::scalar::quantile::normal_quantile;
@@ -11,7 +11,7 @@ pub(super) const STEPS: u32 = 24;
 /// Means between these blend from the inverted distribution to the normal one.
 const BLEND: [f64; 2] = [4.0, 8.0];
 
-/// Ratio of neighbouring probabilities of the lattice that the inversion is done on, and its logarithm.
+/// Ratio of neighboring probabilities of the lattice that the inversion is done on, and its logarithm.
 const LATTICE: f64 = 0.9;
 const LN_LATTICE: f64 = -0.105_360_515_657_826_3;
 
@@ -27,7 +27,7 @@ const RAREST: f64 = 1.0 / 1_073_741_824.0;
 /// the two they are blended. Probabilities above 1/2 count failures instead.
 ///
 /// Source: Zirr & Kaplanyan 2016, section 4.3. Theirs lacks a factor $\sqrt 2$ in the normal branch (half the variance),
-/// and weights the lattice by logarithms (mean off by up to 1.6 %); it is [`Published`](super::Published).
+/// and weights the lattice by logarithms (mean off by up to 1.6 %); it is [`ZirrKaplanyan`](super::ZirrKaplanyan).
 ///
 /// ```
 /// use lobe::material::glint::Binomial;

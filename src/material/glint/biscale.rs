@@ -1,6 +1,6 @@
 //! Two scales of roughness: where the details of a surface point, and how rough each of them is.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use crate::error::Error;
 use crate::filter::Kernel;
@@ -19,8 +19,8 @@ use crate::slope::{Roughness, SlopeMoments};
 /// use lobe::material::glint::Biscale;
 /// // What artists have: the roughness from afar, and which share of it one detail has, along u and v.
 /// let snow = Biscale::from_fractions([0.6_f64, 0.6], [0.024, 0.024])?;
-/// assert!((snow.global().alphas().x - 0.6).abs() < 1e-15);
-/// assert!((snow.local().alphas().x - 0.0144).abs() < 1e-15);
+/// assert!((snow.global().alphas().major - 0.6).abs() < 1e-15);
+/// assert!((snow.local().alphas().major - 0.0144).abs() < 1e-15);
 /// # Ok::<(), lobe::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -80,7 +80,7 @@ impl<R: Real> Biscale<R> {
     /// WGSL: `lobe_biscale_global`.
     #[inline]
     pub fn global(&self) -> Roughness<R> {
-        self.spread.plus(&self.local)
+        self.spread + self.local
     }
 
     /// Under a pixel's kernel, or a light's: it blurs every detail, $A_l + 2\Sigma_K$, and with them the whole.
@@ -102,15 +102,12 @@ impl<R: Real> Biscale<R> {
     }
 
     /// On a patch of a normal map: its covariance spreads the details, $A_m + 2\Sigma$, and leaves each as sharp as it
-    /// was. The patch's mean is the lobe's, not of a roughness ([`GlintLobe::over`](super::GlintLobe::over)).
+    /// was. The patch's mean is the lobe's, not of a roughness ([`GlintNdf::over`](super::GlintNdf::over)).
     ///
     /// WGSL: `lobe_biscale_over`.
     #[must_use]
     #[inline]
     pub fn over(&self, moments: &SlopeMoments<R>) -> Self {
-        Self {
-            spread: self.spread.plus(&Roughness::from_covariance(moments.covariance())),
-            ..*self
-        }
+        Self { spread: self.spread + Roughness::from_covariance(moments.covariance()), ..*self }
     }
 }

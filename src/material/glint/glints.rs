@@ -1,21 +1,19 @@
 //! A glittering material: details of two scales, how many there are, and what a pixel sees of them.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use super::biscale::Biscale;
-use super::grid::Grid;
-use super::lobe::GlintLobe;
-use super::patch::Patch;
 use crate::error::Error;
 use crate::scalar::Real;
 
 /// A surface of discrete, Beckmann-rough details: snow, sparkling fabric, brushed metal.
 ///
 /// ```
-/// use lobe::material::glint::{Biscale, Glints, Patch};
+/// use lobe::material::cells::Patch;
+/// use lobe::material::glint::{Biscale, Glints};
 /// let snow = Glints::new(Biscale::from_fractions([0.6_f32, 0.6], [0.05, 0.05])?, 1e6)?;
 /// // A pixel that is a thousandth of the texture wide, the sun half a degree.
-/// let pixel = snow.lobe(&Patch::new([0.3, 0.7], [1e-3, 0.0], [0.0, 1e-3]));
+/// let pixel = snow.ndf(&Patch::new([0.3, 0.7], [1e-3, 0.0], [0.0, 1e-3]));
 /// let (wo, wi) = ([0.6, 0.0, 0.8], [-0.28, 0.0, 0.96]);
 /// let brdf = pixel.brdf(wo, wi, 0.00465);
 /// assert!(brdf >= 0.0);
@@ -29,10 +27,10 @@ use crate::scalar::Real;
 /// The paper's user parameters (section 4.5): both roughnesses are [`Biscale::from_fractions`], the density is `density`
 /// (sliders want its logarithm), the scale variation [`Glints::with_variation`], the overall intensity a Fresnel term
 /// ([`GlintMaterial`](crate::shade::GlintMaterial)), the palette an argument of
-/// [`coloured_sparkle`](super::GlintLobe::coloured_sparkle).
+/// [`colored_sparkle`](super::GlintNdf::colored_sparkle).
 ///
 /// Source: Zirr & Kaplanyan 2016. What is printed and was published of it, mistakes included, is
-/// [`Published`](super::Published); this one conserves the mean: over cells and angular bins $P_{22}$ averages to that
+/// [`ZirrKaplanyan`](super::ZirrKaplanyan); this one conserves the mean: over cells and angular bins $P_{22}$ averages to that
 /// of the smooth lobe, for any number, size, light and pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Glints<R> {
@@ -105,9 +103,10 @@ impl<R: Real> Glints<R> {
     /// [`Error::Share`] outside [0, 1].
     ///
     /// ```
-    /// use lobe::material::glint::{Biscale, Glints, Patch};
+    /// use lobe::material::cells::Patch;
+    /// use lobe::material::glint::{Biscale, Glints};
     /// let lacquer = Glints::new(Biscale::from_fractions([0.3_f64, 0.3], [0.1, 0.1])?, 1e4)?;
-    /// let dull = lacquer.with_share(0.0)?.lobe(&Patch::default());
+    /// let dull = lacquer.with_share(0.0)?.ndf(&Patch::default());
     /// assert_eq!(dull.sparkle([0.0, 0.0, 1.0], 0.0), 1.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
@@ -151,14 +150,5 @@ impl<R: Real> Glints<R> {
     pub fn detail_size(&self) -> R {
         // Up from 0.7 of it.
         R::power_of_two((R::TWO.sqrt() / self.density.sqrt()).exponent())
-    }
-
-    /// What a pixel sees: the material's lobe, and its cells under this patch.
-    ///
-    /// WGSL: `lobe_glints_lobe`.
-    #[inline]
-    pub fn lobe(&self, patch: &Patch<R>) -> GlintLobe<R> {
-        let grid = Grid::stretched(patch, self.stretch, self.detail_size());
-        GlintLobe::new(self, grid.with_seed(self.seed))
     }
 }

@@ -1,31 +1,15 @@
 //! Which cells a pixel covers, on two nested grids, and how much of each.
 //!
-//! Floor 4.
+//! Layer 4.
 
-use super::cell::Cell;
-use super::level::{FARTHEST, Level};
-use super::patch::Patch;
-use super::tile::finest;
+use super::level::{ANISOTROPY_LIMIT, CoveredCell, FARTHEST, Level};
+use crate::material::cells::{Cell, Patch, finest};
 use crate::scalar::Real;
-
-/// Longest pixel against its width, in cells: longer ones get coarser cells. Zirr & Kaplanyan 2016, section 4.2.
-pub const ANISOTROPY_LIMIT: u32 = 16;
 
 /// How much of the way between two levels a cell takes to come or go, and its share of an even blend meanwhile: without
 /// that, pixels whose cells have all gone would have none.
 const RAMP: f64 = 0.5;
 const EVEN: f64 = 0.03;
-
-/// A cell that a pixel covers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Covered<R> {
-    /// The cell's centre, in cells from the origin of the coordinates.
-    pub index: [i64; 2],
-    /// The cell's size is $2^k$, k being this.
-    pub exponent: i32,
-    /// The cell's share of the pixel. All shares sum to 1.
-    pub share: R,
-}
 
 /// The two grids of a pixel.
 ///
@@ -43,7 +27,8 @@ pub struct Covered<R> {
 /// beyond the pixel's ends.
 ///
 /// ```
-/// use lobe::material::glint::{Grid, Patch};
+/// use lobe::material::cells::Patch;
+/// use lobe::material::glint::Grid;
 /// let pixel = Patch::new([0.25_f64, 0.5], [1e-3, 0.0], [0.0, 4e-3]);
 /// let (mut count, mut sum) = (0, 0.0);
 /// Grid::new(&pixel, 1e-9).visit(|cell| {
@@ -132,16 +117,16 @@ impl<R: Real> Grid<R> {
 
     /// Calls `f` with every cell that the pixel covers.
     ///
-    /// WGSL: none, a loop there (`lobe_glint_lobe_sparkle`).
+    /// WGSL: none, a loop there (`lobe_glint_ndf_sparkle`).
     #[inline]
-    pub fn visit(&self, mut f: impl FnMut(Covered<R>)) {
+    pub fn visit(&self, mut f: impl FnMut(CoveredCell<R>)) {
         let sum = self.walk(|_, _| ());
-        self.walk(|covered, _| f(Covered { share: covered.share / sum, ..covered }));
+        self.walk(|covered, _| f(CoveredCell { share: covered.share / sum, ..covered }));
     }
 
     /// The same with shares that sum to what is returned.
     #[inline]
-    pub(super) fn walk(&self, mut f: impl FnMut(Covered<R>, Cell)) -> R {
+    pub(super) fn walk(&self, mut f: impl FnMut(CoveredCell<R>, Cell)) -> R {
         let mut sum = R::ZERO;
         for (coarser, level) in [false, true].into_iter().zip(self.levels()) {
             for n in 0..level.count {
@@ -155,7 +140,7 @@ impl<R: Real> Grid<R> {
                     let share = share * self.presence(cell, coarser);
                     if share > R::ZERO {
                         sum = sum + share;
-                        f(Covered { index, exponent, share }, cell);
+                        f(CoveredCell { index, exponent, share }, cell);
                     }
                 }
             }

@@ -1,22 +1,34 @@
 //! One grid under a pixel: its columns of cells.
 //!
-//! Floor 4.
+//! Layer 4.
 #![allow(
     clippy::cast_sign_loss,
     clippy::cast_possible_wrap,
     reason = "counts of at most 34, from 0 on"
 )]
 
-use super::grid::ANISOTROPY_LIMIT;
-use super::patch::Patch;
-use super::tile::{corner, place};
+use crate::material::cells::{Patch, corner, place};
 use crate::scalar::Real;
+
+/// Longest pixel against its width, in cells: longer ones get coarser cells. Zirr & Kaplanyan 2016, section 4.2.
+pub const ANISOTROPY_LIMIT: u32 = 16;
 
 /// Columns of cells that one level may need: 32 cells of a pixel between two sizes, one at each end.
 pub(super) const COLUMNS: u32 = 2 * ANISOTROPY_LIMIT + 2;
 
 /// Cells from the tile's corner, 2^20, beyond which f32 has no fraction of a cell left that is worth a weight.
 pub(super) const FARTHEST: i32 = 20;
+
+/// A cell that a pixel covers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CoveredCell<R> {
+    /// The cell's center, in cells from the origin of the coordinates.
+    pub index: [i64; 2],
+    /// The cell's size is $2^k$, k being this.
+    pub exponent: i32,
+    /// The cell's share of the pixel. All shares sum to 1.
+    pub share: R,
+}
 
 /// One of the two grids: its columns of cells, along the pixel's longer extent.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +42,7 @@ pub(super) struct Level<R> {
     pub(super) count: u32,
     begin: R,
     end: R,
-    pub(super) centre: [R; 2],
+    pub(super) midpoint: [R; 2],
     skew: R,
     /// One over the sum of its columns' weights.
     share: R,
@@ -52,7 +64,7 @@ impl<R: Real> Level<R> {
         let limit = R::power_of_two(FARTHEST + 1);
         let [x, y] =
             [0, 1].map(|k| place(patch.tile[k], patch.uv[k], exponent).max(-limit).min(limit));
-        let centre = if along_v { [y, x] } else { [x, y] };
+        let midpoint = if along_v { [y, x] } else { [x, y] };
         let of = |d: [R; 2]| if along_v { [d[1], d[0]] } else { d };
         let (right, up) = (of(patch.right), of(patch.up));
         // The line through the parallelogram by least squares, between the two medians. A pixel too small for squares
@@ -65,21 +77,21 @@ impl<R: Real> Level<R> {
         let most = R::lit(f64::from(2 * ANISOTROPY_LIMIT));
         let long = p.abs().max(q.abs().max(R::ZERO)).min(most);
         let half = R::HALF * (long - (width * inverse).max(R::ONE)).max(R::ZERO);
-        let (begin, end) = (centre[0] - half, centre[0] + half);
+        let (begin, end) = (midpoint[0] - half, midpoint[0] + half);
         let first = begin.floor();
         let count = (end.floor() - first) as u32 + 2;
         let share = R::ONE / (R::ONE + (end - begin));
         let count = count.min(COLUMNS);
         let corner = patch.tile.map(|tile| corner(tile, exponent));
-        Self { exponent, corner, along_v, first, count, begin, end, centre, skew, share }
+        Self { exponent, corner, along_v, first, count, begin, end, midpoint, skew, share }
     }
 
     /// The `n`th column.
     #[inline]
     pub(super) fn column(&self, n: u32) -> Column<R> {
-        // Columns beyond an end see the pixel's end: of a pixel within a cell, its centre.
+        // Columns beyond an end see the pixel's end: of a pixel within a cell, its center.
         let place = self.place(n).max(self.begin).min(self.end);
-        self.column_at(n, self.centre[1] + self.skew * (place - self.centre[0]))
+        self.column_at(n, self.midpoint[1] + self.skew * (place - self.midpoint[0]))
     }
 
     /// Where the `n`th column stands, in cells.

@@ -1,6 +1,6 @@
 //! What a light's extent does to details.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use crate::scalar::Real;
 use crate::slope::direction::{dot, half_vector};

@@ -1,6 +1,6 @@
 //! A cube map on the CPU: what a GPU's sampler gives, for callers without one.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use super::environment::Light;
 use super::lod::cube_lod;
@@ -11,7 +11,7 @@ use core::marker::PhantomData;
 /// Six square faces with their mip chain; a [`Light`].
 ///
 /// Over any storage of texels: a `Vec`, an array, a borrowed slice. Faces in the order of GPUs, +x, -x, +y, -y, +z, -z,
-/// each by rows, oriented as theirs. Filtering is trilinear and takes texels beyond an edge from the neighbouring face; at the
+/// each by rows, oriented as theirs. Filtering is trilinear and takes texels beyond an edge from the neighboring face; at the
 /// eight corners, where three faces meet, what takes the place of a fourth differs from face to face.
 /// Directions are the map's own: to turn a tangent frame, wrap the map in a function.
 ///
@@ -113,17 +113,17 @@ impl<R: Real, T: AsRef<[[R; 3]]>> CubeMap<R, T> {
         mix(line(row), line(row + 1), down)
     }
 
-    /// A texel, from the neighbouring face where column or row lie one beyond this one.
+    /// A texel, from the neighboring face where column or row lie one beyond this one.
     fn texel(&self, level: usize, face: usize, column: i64, row: i64) -> [R; 3] {
         let side = self.face >> level;
         let inside = |k: i64| usize::try_from(k).is_ok_and(|k| k < side);
         if inside(column) && inside(row) {
             return self.at(level, face, column, row);
         }
-        // The direction of the texel's centre, on the plane of this face; at the cube's corners, where three faces meet,
+        // The direction of the texel's center, on the plane of this face; at the cube's corners, where three faces meet,
         // there is none, and the nearest is as good as any.
-        let centre = |k: i64| R::lit((2 * k + 1) as f64 / side as f64 - 1.0);
-        let (face, [u, v]) = project(unproject(face, [centre(column), centre(row)]));
+        let center = |k: i64| R::lit((2 * k + 1) as f64 / side as f64 - 1.0);
+        let (face, [u, v]) = project(unproject(face, [center(column), center(row)]));
         let place = |u: R| (R::HALF * (u + R::ONE)).to_f64() * side as f64;
         self.at(level, face, place(u) as i64, place(v) as i64)
     }

@@ -1,9 +1,9 @@
 //! Matt relief: a sum of irradiances over the facets of a grid.
 //!
-//! Floor 4.
+//! Layer 4.
 
-use super::environment::Normalisation;
-use super::grid::Grid;
+use super::environment::Normalization;
+use super::quadrature::Quadrature;
 use super::surface::Leadr;
 use crate::scalar::Real;
 
@@ -20,10 +20,10 @@ impl<R: Real> Leadr<R> {
     /// Source: Dupuy et al. 2013, Algorithm 3.
     ///
     /// ```
-    /// use lobe::material::leadr::{Grid, Leadr, Normalisation};
+    /// use lobe::material::leadr::{Quadrature, Leadr, Normalization};
     /// use lobe::{Lobe, Roughness};
-    /// let surface = Leadr::new(&Lobe::centred(Roughness::from_sigma_rho(0.5_f64, 0.5, 0.0)?));
-    /// let (grid, sum) = (Grid::<f64, 5>::published(), Normalisation::Sum);
+    /// let surface = Leadr::new(&Lobe::centered(Roughness::from_sigma_rho(0.5_f64, 0.5, 0.0)?));
+    /// let (grid, sum) = (Quadrature::<f64, 5>::dupuy(), Normalization::Sum);
     /// // Lit from the eye, relief is brighter at grazing angles than a plane.
     /// let wo = [0.96, 0.0, 0.28];
     /// let lit = |m: [f64; 3]| [core::f64::consts::PI * (m[0] * wo[0] + m[2] * wo[2]).max(0.0); 3];
@@ -35,12 +35,12 @@ impl<R: Real> Leadr<R> {
     pub fn diffuse<const N: usize>(
         &self,
         wo: impl Into<[R; 3]>,
-        grid: &Grid<R, N>,
-        normalisation: Normalisation,
+        grid: &Quadrature<R, N>,
+        normalization: Normalization,
         irradiance: impl Fn([R; 3]) -> [R; 3],
     ) -> [R; 3] {
         let inverse_pi = R::lit(core::f64::consts::FRAC_1_PI);
-        self.mean_over_facets(wo.into(), grid, normalisation, |facet| {
+        self.mean_over_facets(wo.into(), grid, normalization, |facet| {
             irradiance(facet.normal).map(|e| e * inverse_pi)
         })
     }

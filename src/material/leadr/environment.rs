@@ -1,8 +1,8 @@
 //! Light from everywhere: a sum over the facets of a grid.
 //!
-//! Floor 4.
+//! Layer 4.
 
-use super::grid::Grid;
+use super::quadrature::Quadrature;
 use super::surface::{Facet, Leadr, Shadowing};
 use crate::material::Fresnel;
 use crate::scalar::Real;
@@ -27,9 +27,9 @@ impl<R: Real, F: Fn([R; 3], R) -> [R; 3]> Light<R> for F {
 
 /// What a sum over facets is divided by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Normalisation {
+pub enum Normalization {
     /// The projected area $\sigma(w_o)$ in closed form: without bias as the grid grows, and no sum to keep. A constant
-    /// light comes out as S/sigma, off by what the grid misses of the area ([`Grid::cells`](super::Grid::cells) has the
+    /// light comes out as S/sigma, off by what the grid misses of the area ([`Quadrature::cells`](super::Quadrature::cells) has the
     /// numbers).
     ProjectedArea,
     /// S, the sum of the facets' areas: the paper's. A constant light comes out as itself for any grid, also where no
@@ -44,21 +44,21 @@ impl<R: Real> Leadr<R> {
     /// $\frac{1}{\sigma_o} \sum_{j,k} W_j W_k \frac{\langle m, w_o\rangle}{m_z} F(\langle m, w_o\rangle)\,
     /// \frac{G_2}{G_1}\, L(w_i)$ with $w_i$ the mirror direction about m; $G_2/G_1 = 1$ with masking alone. L is averaged
     /// over the solid angle of each facet. `wo`: unit. Where no facet is seen: the artificial one, by
-    /// [`Normalisation::Sum`], or black.
+    /// [`Normalization::Sum`], or black.
     ///
     /// Source: Dupuy et al. 2013, Algorithm 1 and its simplified form.
     ///
     /// ```
     /// use lobe::material::Fresnel;
-    /// use lobe::material::leadr::{Grid, Leadr, Normalisation, Shadowing};
+    /// use lobe::material::leadr::{Quadrature, Leadr, Normalization, Shadowing};
     /// use lobe::{Lobe, Roughness};
-    /// let surface = Leadr::new(&Lobe::centred(Roughness::from_sigma_rho(0.2_f32, 0.1, 0.0)?));
+    /// let surface = Leadr::new(&Lobe::centered(Roughness::from_sigma_rho(0.2_f32, 0.1, 0.0)?));
     /// let sky = |wi: [f32; 3], _: f32| if wi[2] > 0.0 { [0.3, 0.5, 1.0] } else { [0.2, 0.1, 0.0] };
     /// let [red, _, blue] = surface.environment(
     ///     [0.6, 0.0, 0.8],
-    ///     &Grid::<f32, 5>::published(),
+    ///     &Quadrature::<f32, 5>::dupuy(),
     ///     Shadowing::MaskingOnly,
-    ///     Normalisation::Sum,
+    ///     Normalization::Sum,
     ///     &Fresnel::white(),
     ///     &sky,
     /// );
@@ -70,9 +70,9 @@ impl<R: Real> Leadr<R> {
     pub fn environment<const N: usize>(
         &self,
         wo: impl Into<[R; 3]>,
-        grid: &Grid<R, N>,
+        grid: &Quadrature<R, N>,
         shadowing: Shadowing,
-        normalisation: Normalisation,
+        normalization: Normalization,
         fresnel: &Fresnel<R>,
         light: &impl Light<R>,
     ) -> [R; 3] {
@@ -81,7 +81,7 @@ impl<R: Real> Leadr<R> {
             Shadowing::Both => Some(self.reaching_from(wo)),
             Shadowing::MaskingOnly => None,
         };
-        self.mean_over_facets(wo, grid, normalisation, |facet| {
+        self.mean_over_facets(wo, grid, normalization, |facet| {
             let reaching = share.as_ref().map_or(R::ONE, |share| share(facet.wi));
             let radiance = light.radiance(facet.wi, facet.solid_angle);
             let reflected = fresnel.reflectance(facet.cosine);
@@ -93,8 +93,8 @@ impl<R: Real> Leadr<R> {
     pub(super) fn mean_over_facets<const N: usize>(
         &self,
         wo: [R; 3],
-        grid: &Grid<R, N>,
-        normalisation: Normalisation,
+        grid: &Quadrature<R, N>,
+        normalization: Normalization,
         shade: impl Fn(&Facet<R>) -> [R; 3],
     ) -> [R; 3] {
         let (mut sum, mut total) = ([R::ZERO; 3], R::ZERO);
@@ -110,9 +110,9 @@ impl<R: Real> Leadr<R> {
                 add(&self.facet(wo, grid.node(j, k)));
             }
         }
-        let divisor = match normalisation {
-            Normalisation::ProjectedArea => self.ndf().projected_area(wo),
-            Normalisation::Sum => {
+        let divisor = match normalization {
+            Normalization::ProjectedArea => self.ndf().projected_area(wo),
+            Normalization::Sum => {
                 add(&self.artificial_facet(wo));
                 total
             }

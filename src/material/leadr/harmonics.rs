@@ -1,6 +1,6 @@
 //! Irradiance of any environment in nine numbers a channel.
 //!
-//! Floor 4. A cosine over the hemisphere is smooth: spherical harmonics up to the second order hold it to 1 % of its
+//! Layer 4. A cosine over the hemisphere is smooth: spherical harmonics up to the second order hold it to 1 % of its
 //! energy. A single light is what they show worst: off by up to 9.4 % of its peak, where a facet is edge-on to it.
 
 use super::environment::Light;

@@ -1,6 +1,6 @@
 //! Which level of a cube map a solid angle asks for.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use crate::scalar::Real;
 
@@ -33,13 +33,13 @@ pub fn cube_lod<R: Real>(solid_angle: R, face: R) -> R {
 /// Source: Dupuy et al. 2013, section 3.5.
 ///
 /// ```
-/// use lobe::material::leadr::{cube_lod, published_cube_lod};
-/// let difference = |nodes| published_cube_lod(0.01_f64, 64.0, nodes) - cube_lod(0.01, 64.0);
+/// use lobe::material::leadr::{cube_lod, dupuy_cube_lod};
+/// let difference = |nodes| dupuy_cube_lod(0.01_f64, 64.0, nodes) - cube_lod(0.01, 64.0);
 /// assert!((difference(128) + 0.944).abs() < 1e-3 && (difference(5) - 1.036).abs() < 1e-3);
 /// ```
 ///
 /// WGSL: none, [`cube_lod`] plus a constant there.
-pub fn published_cube_lod<R: Real>(solid_angle: R, face: R, nodes: usize) -> R {
+pub fn dupuy_cube_lod<R: Real>(solid_angle: R, face: R, nodes: usize) -> R {
     // log2(2 pi^(-3/2)); the listing rounds it to -1.48, and writes 0.5 and -0.5 with the biases in.
     let constant = R::lit(-1.477_244_194_208_478);
     let biases = [(5.0_f64, 1.98), (32.0, 0.98), (128.0, 0.0)];

@@ -2,10 +2,10 @@
 //!
 //! What a displacement map leaves of a surface is a mean slope and a covariance, as with a normal map; but the relief
 //! is really there. Facets that turn away are not seen, those that face the eye are seen larger. So every mean here is
-//! weighted by the area that a facet shows, $\langle m, w_o \rangle / m_z$, and normalised by that of the relief,
+//! weighted by the area that a facet shows, $\langle m, w_o \rangle / m_z$, and normalized by that of the relief,
 //! $\sigma(w_o)$ (in closed form, where the paper sums), or by the mean plane's with masking.
 //!
-//! [`Leadr`] is the surface: [`Leadr::specular`] for a light at a point, [`Leadr::environment`] for light from
+//! [`Leadr`] is the surface: [`Leadr::brdf_cos`] for a light at a point, [`Leadr::environment`] for light from
 //! everywhere, given as a function or a [`CubeMap`], [`Leadr::diffuse`] for rough matt relief. Nothing is allocated per
 //! sample. Frames are tangent frames of the undisplaced surface; the caller turns directions.
 //!
@@ -14,14 +14,14 @@
 mod cube;
 mod diffuse;
 mod environment;
-mod grid;
 mod harmonics;
 mod lod;
+mod quadrature;
 mod surface;
 
 pub use cube::CubeMap;
-pub use environment::{Light, Normalisation};
-pub use grid::Grid;
+pub use environment::{Light, Normalization};
 pub use harmonics::Irradiance;
-pub use lod::{cube_lod, published_cube_lod};
+pub use lod::{cube_lod, dupuy_cube_lod};
+pub use quadrature::Quadrature;
 pub use surface::{Facet, Leadr, Node, Shadowing};

@@ -1,11 +1,11 @@
 //! A displaced surface as its lobe leaves it: area, facets, light from a point.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use crate::ndf::Beckmann;
 use crate::scalar::Real;
 use crate::slope::direction::{dot, normal_of, reflect};
-use crate::slope::{Full, Lobe, Shape, Tilted};
+use crate::slope::{Anisotropic, Lobe, LobeShape, NonCentered};
 
 /// Which of the relief's own shadows a mean has.
 ///
@@ -32,13 +32,13 @@ pub enum Shadowing {
 /// let lobe = Lobe::new([0.2_f64, 0.0], Roughness::from_sigma_rho(0.3, 0.1, 0.0)?)?;
 /// let surface = Leadr::new(&lobe);
 /// let (wo, wi) = ([0.6, 0.0, 0.8], [-0.6, 0.0, 0.8]);
-/// let radiance = surface.specular(wo, wi, Shadowing::Both);
-/// assert!(radiance > 0.0 && radiance <= surface.specular(wo, wi, Shadowing::MaskingOnly));
+/// let radiance = surface.brdf_cos(wo, wi, Shadowing::Both);
+/// assert!(radiance > 0.0 && radiance <= surface.brdf_cos(wo, wi, Shadowing::MaskingOnly));
 /// # Ok::<(), lobe::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leadr<R: Real> {
-    ndf: Beckmann<Tilted<Full<R>>>,
+    ndf: Beckmann<NonCentered<Anisotropic<R>>>,
     mean: [R; 2],
     /// L of the covariance, $\Sigma = L L^T$: `l11`, `l21`, `l22`.
     factor: [R; 3],
@@ -92,21 +92,21 @@ impl<R: Real> Leadr<R> {
     /// The distribution underneath: density, projected area, masking.
     ///
     /// WGSL: none, a field there.
-    pub fn ndf(&self) -> &Beckmann<Tilted<Full<R>>> {
+    pub fn ndf(&self) -> &Beckmann<NonCentered<Anisotropic<R>>> {
         &self.ndf
     }
 
     /// Radiance towards `wo` per unit of radiance and solid angle from `wi`, without Fresnel: BRDF times cosine.
     ///
     /// $\frac{D(h)}{4 c_o (1 + \Lambda_o + \Lambda_i)}$, or $\frac{D(h)}{4 \sigma_o}$ with masking alone. Multiply by the
-    /// light's radiance, solid angle and Fresnel. c is the projected area of the mean plane (meso normalisation). 0
+    /// light's radiance, solid angle and Fresnel. c is the projected area of the mean plane (meso normalization). 0
     /// where the mean plane turns away from either direction; with masking alone `wi` may lie anywhere.
     ///
     /// Source: Dupuy et al. 2013, section 3.3, with $\Lambda$ exact instead of Walter's fit, the half vector in the
-    /// tangent frame (the listing passes the world's), and no normalisation of a zero at normal incidence.
+    /// tangent frame (the listing passes the world's), and no normalization of a zero at normal incidence.
     ///
-    /// WGSL: `lobe_leadr_specular`, `lobe_leadr_specular_unshadowed`.
-    pub fn specular(
+    /// WGSL: `lobe_leadr_brdf_cos`, `lobe_leadr_unshadowed_brdf_cos`.
+    pub fn brdf_cos(
         &self,
         wo: impl Into<[R; 3]>,
         wi: impl Into<[R; 3]>,
@@ -118,7 +118,7 @@ impl<R: Real> Leadr<R> {
                 let area = self.ndf.shape().mean_area(wi).max(R::ZERO);
                 (self.ndf.brdf(wo, wi) * area).min(R::MAX)
             }
-            Shadowing::MaskingOnly => self.ndf.unshadowed(wo, wi),
+            Shadowing::MaskingOnly => self.ndf.unshadowed_brdf_cos(wo, wi),
         }
     }
 
@@ -130,7 +130,7 @@ impl<R: Real> Leadr<R> {
     /// ```
     /// use lobe::material::leadr::Leadr;
     /// use lobe::{Lobe, Roughness};
-    /// let surface = Leadr::new(&Lobe::centred(Roughness::from_sigma_rho(0.5_f64, 0.5, 0.0)?));
+    /// let surface = Leadr::new(&Lobe::centered(Roughness::from_sigma_rho(0.5_f64, 0.5, 0.0)?));
     /// let wo = [0.6, 0.0, 0.8];
     /// assert_eq!(surface.light_reaching(wo, [0.0, 0.0, 1.0]), 1.0);
     /// assert!(surface.light_reaching(wo, [0.96, 0.0, 0.28]) < 0.9);
@@ -159,10 +159,10 @@ impl<R: Real> Leadr<R> {
     /// node's own area on the slope plane, where the paper takes the square of the larger side for all.
     ///
     /// ```
-    /// use lobe::material::leadr::{Grid, Leadr};
+    /// use lobe::material::leadr::{Quadrature, Leadr};
     /// use lobe::{Lobe, Roughness};
-    /// let surface = Leadr::new(&Lobe::centred(Roughness::from_sigma_rho(0.2_f64, 0.2, 0.0)?));
-    /// let middle = surface.facet([0.6, 0.0, 0.8], Grid::<f64, 5>::published().node(2, 2));
+    /// let surface = Leadr::new(&Lobe::centered(Roughness::from_sigma_rho(0.2_f64, 0.2, 0.0)?));
+    /// let middle = surface.facet([0.6, 0.0, 0.8], Quadrature::<f64, 5>::dupuy().node(2, 2));
     /// assert_eq!((middle.normal, middle.wi), ([0.0, 0.0, 1.0], [-0.6, 0.0, 0.8]));
     /// # Ok::<(), lobe::Error>(())
     /// ```

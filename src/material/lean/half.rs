@@ -1,6 +1,6 @@
 //! IEEE half precision, as textures store it.
 //!
-//! Floor 4.
+//! Layer 4.
 
 /// The smallest half above 0, 2^-24.
 const SMALLEST: f32 = f32::EPSILON * 0.5;

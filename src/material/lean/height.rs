@@ -1,9 +1,9 @@
 //! From heights to slopes: central differences in the map's own units.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use super::map::Border;
-use super::texel::{Clipped, SlopeCap};
+use super::texel::{ClippedTexels, SlopeCap};
 use crate::error::Error;
 use crate::scalar::Real;
 
@@ -32,7 +32,7 @@ pub struct HeightField<'a, R> {
 impl<'a, R: Real> HeightField<'a, R> {
     /// Heights by rows, `size` as width and height.
     ///
-    /// `texel`: the distance of neighbouring texels along x and y, in the unit of `displacement`, which is the height of
+    /// `texel`: the distance of neighboring texels along x and y, in the unit of `displacement`, which is the height of
     /// a stored 1. A negative distance turns an axis: rows that count down under a y that points up.
     ///
     /// # Errors
@@ -62,7 +62,7 @@ impl<'a, R: Real> HeightField<'a, R> {
     }
 
     /// Slopes of the rows from `first` on, as many as fit into `out`: central differences, and at a clamped border those
-    /// to the one neighbour there is. An axis of one texel is flat.
+    /// to the one neighbor there is. An axis of one texel is flat.
     ///
     /// A central difference is the mean slope of the two quads beside a texel, which the displaced mesh has. Details of
     /// two texels' period have none.
@@ -76,7 +76,7 @@ impl<'a, R: Real> HeightField<'a, R> {
         cap: SlopeCap<R>,
         first: usize,
         out: &mut [[R; 2]],
-    ) -> Result<Clipped, Error> {
+    ) -> Result<ClippedTexels, Error> {
         let rows = out.len() / self.width;
         let end = first.checked_add(rows).ok_or(Error::Length)?;
         if out.len() % self.width != 0 || end > self.height {
@@ -84,9 +84,9 @@ impl<'a, R: Real> HeightField<'a, R> {
         }
         let mut touched = 0;
         for (row, out) in (first..end).zip(out.chunks_exact_mut(self.width)) {
-            let (above, below, dy) = self.neighbours(row, self.height, self.scale[1]);
+            let (above, below, dy) = self.neighbors(row, self.height, self.scale[1]);
             for (column, out) in out.iter_mut().enumerate() {
-                let (left, right, dx) = self.neighbours(column, self.width, self.scale[0]);
+                let (left, right, dx) = self.neighbors(column, self.width, self.scale[0]);
                 let along = (self.at(right, row) - self.at(left, row)) * dx;
                 let across = (self.at(column, below) - self.at(column, above)) * dy;
                 let (slope, clipped) = cap.limited([along, across]);
@@ -94,7 +94,7 @@ impl<'a, R: Real> HeightField<'a, R> {
                 touched += usize::from(clipped);
             }
         }
-        Ok(Clipped { texels: touched, of: out.len() })
+        Ok(ClippedTexels { texels: touched, of: out.len() })
     }
 
     fn at(&self, column: usize, row: usize) -> R {
@@ -102,7 +102,7 @@ impl<'a, R: Real> HeightField<'a, R> {
     }
 
     /// The texels before and after, and what their difference is multiplied by.
-    fn neighbours(&self, k: usize, count: usize, scale: R) -> (usize, usize, R) {
+    fn neighbors(&self, k: usize, count: usize, scale: R) -> (usize, usize, R) {
         let (first, last) = (k == 0, k + 1 == count);
         let half = R::HALF * scale;
         match self.border {

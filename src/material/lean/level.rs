@@ -1,6 +1,6 @@
 //! A level of a mip chain: how texels of a finer one merge into its own.
 //!
-//! Floor 4. By the parallel-axis theorem: the mean of the covariances plus the covariance of the means. Every term is
+//! Layer 4. By the parallel-axis theorem: the mean of the covariances plus the covariance of the means. Every term is
 //! positive semi-definite, nothing cancels, and no large square is ever formed.
 
 use crate::scalar::exact::cross;
@@ -87,9 +87,9 @@ fn four<R: Real>([a, b, c, d]: [[R; 2]; 4], origin: [R; 2]) -> SlopeMoments<R> {
 fn four_moments<R: Real>(four_stored: [&Stored<R>; 4]) -> SlopeMoments<R> {
     let [a, b, c, d] = four_stored.map(loaded);
     let between = four([a.mean(), b.mean(), c.mean(), d.mean()], [R::ZERO; 2]);
-    let pair = |p: &SlopeMoments<R>, q: &SlopeMoments<R>| p.covariance().plus(&q.covariance());
-    let within = pair(&a, &b).plus(&pair(&c, &d)).scaled(R::lit(0.25));
-    SlopeMoments::unchecked(between.mean(), within.plus(&between.covariance()))
+    let pair = |p: &SlopeMoments<R>, q: &SlopeMoments<R>| p.covariance() + q.covariance();
+    let within = (pair(&a, &b) + pair(&c, &d)) * R::lit(0.25);
+    SlopeMoments::unchecked(between.mean(), within + between.covariance())
 }
 
 /// The texels of two rows, four by four.

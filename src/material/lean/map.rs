@@ -1,9 +1,9 @@
 //! A map's mip chain of means and covariances.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use super::level::{Finer, Stored, halved, loaded, minus};
-use super::texel::{Clipped, NormalTexel, SlopeCap};
+use super::texel::{ClippedTexels, NormalTexel, SlopeCap};
 use super::weight;
 use crate::error::Error;
 use crate::scalar::{Psd, Real};
@@ -45,7 +45,7 @@ pub enum Border {
 /// assert!(whole.mean()[0].abs() < 0.01 && (whole.covariance().entries()[0] - 1.0).abs() < 0.02);
 /// // From far away: a brushed lobe.
 /// let lobe = whole.lobe(Roughness::from_alpha(0.1)?);
-/// assert!(lobe.roughness().alphas().x > 10.0 * lobe.roughness().alphas().y);
+/// assert!(lobe.roughness().alphas().major > 10.0 * lobe.roughness().alphas().minor);
 /// # Ok::<(), lobe::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -138,7 +138,7 @@ impl<R: Real> MomentMap<R> {
         texels: &[T],
         cap: SlopeCap<R>,
         border: Border,
-    ) -> Result<(Self, Clipped), Error> {
+    ) -> Result<(Self, ClippedTexels), Error> {
         let mut slopes = vec![[R::ZERO; 2]; texels.len()];
         let clipped = cap.slopes(texels, &mut slopes)?;
         Ok((Self::from_slopes(size, slopes, border)?, clipped))

@@ -16,9 +16,9 @@
 //! let patch = SlopeMoments::new([0.2, 0.0], Roughness::from_sigma_rho(0.1, 0.05, 0.3)?.covariance())?;
 //! let pixel = Kernel::of(&Footprint::rectangle([0.1, 0.2]), PixelFilter::BOX);
 //! let beckmann = patch.lobe(base).widened(&pixel);
-//! let both = Kernel::from_covariance(patch.covariance()).then(&pixel);
+//! let both = Kernel::from_covariance(patch.covariance()) + pixel;
 //! let ggx = Lobe::new(patch.mean(), base.peak_fitted(&both))?;
-//! assert!(ggx.roughness().alphas().x > beckmann.roughness().alphas().x);
+//! assert!(ggx.roughness().alphas().major > beckmann.roughness().alphas().major);
 //! # Ok::<(), lobe::Error>(())
 //! ```
 //!
@@ -30,7 +30,7 @@
 //!   vector in that frame ([`Footprint::from_half_vectors`](crate::Footprint::from_half_vectors)), which the map does
 //!   not move as the lobe's mean carries it. The default; nothing is lost below a texel or beyond a pixel;
 //! - moments of the finest level, and a kernel of $d(s_h - \mu)$, the motion of the half vector's slope against the
-//!   mean's: [`Footprint::against`](crate::Footprint::against). For maps that are magnified.
+//!   mean's: [`Footprint::sub`](crate::Footprint::sub). For maps that are magnified.
 //!
 //! Source: Olano & Baker 2010; Kaplanyan et al. 2016, section 5.5; Dupuy et al. 2013.
 
@@ -42,8 +42,9 @@ mod sample;
 mod storage;
 mod texel;
 mod weight;
+mod weighted;
 
 pub use height::HeightField;
 pub use map::{Border, MomentMap};
 pub use storage::{Float16, Float32, Storage, Unorm16};
-pub use texel::{Clipped, NormalTexel, SlopeCap};
+pub use texel::{ClippedTexels, NormalTexel, SlopeCap};

@@ -1,6 +1,6 @@
 //! Moments between texels: bilinear, trilinear, and along a footprint.
 //!
-//! Floor 4. Interpolating covariances alone forgets that the texels' means differ; a merge by weights does not. This is
+//! Layer 4. Interpolating covariances alone forgets that the texels' means differ; a merge by weights does not. This is
 //! what linear filtering of raw moments gives, without their cancellation.
 
 use super::level::gathered;
@@ -24,7 +24,7 @@ struct Corners<R> {
 impl<R: Real> MomentMap<R> {
     /// Moments at `uv` of a level: the four texels around, merged by bilinear weights, between-texel term included.
     ///
-    /// Texel (i, j) has its centre at ((i + 1/2) / width, (j + 1/2) / height). Coordinates beyond $10^9$ texels and NaN
+    /// Texel (i, j) has its center at ((i + 1/2) / width, (j + 1/2) / height). Coordinates beyond $10^9$ texels and NaN
     /// count as 0.
     ///
     /// ```
@@ -88,7 +88,7 @@ impl<R: Real> MomentMap<R> {
         (gathered(&texels, &shares), weight)
     }
 
-    /// Moments of a footprint: its centre and the steps `du`, `dv` of its sides in uv, a pixel apart.
+    /// Moments of a footprint: its center and the steps `du`, `dv` of its sides in uv, a pixel apart.
     ///
     /// Trilinear probes along the longer side, `most` and one at the most (counted within 1 and 1024), all merged, so what
     /// lies between them counts. They are as wide as the shorter side, or as it takes to span the longer one: a

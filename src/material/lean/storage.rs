@@ -1,6 +1,6 @@
 //! Raw moments as textures hold them: what filtering hardware may interpolate, and what alpha is lost in it.
 //!
-//! Floor 4. Raw moments are linear in area, so any filter may average them; covariances are not. What is left of a
+//! Layer 4. Raw moments are linear in area, so any filter may average them; covariances are not. What is left of a
 //! covariance is a difference of stored numbers, so the storage's step sets a floor. Texels are written with the second
 //! moment about the mean *as stored*, $\Sigma + \hat\mu\hat\mu^T$: the mean's rounding then moves the lobe a little
 //! and leaves its width alone.
@@ -89,7 +89,7 @@ pub struct Float16 {
     range: f32,
 }
 
-/// Five unsigned normalised 16-bit numbers: means in [-range, range], second moments in [0, range^2] and, of xy,
+/// Five unsigned normalized 16-bit numbers: means in [-range, range], second moments in [0, range^2] and, of xy,
 /// [-range^2, range^2]; both zeros are exact.
 ///
 /// The code of a signed number is `32768 + 32767 x / range`, so 0 is one. Hardware reads codes as `v = code / 65535`:

@@ -1,26 +1,27 @@
 //! From a normal map's texels to slopes, with a cap that is a value and a count of what it touched.
 //!
-//! Floor 4. A slope explodes as the normal falls to the horizon: in 8 bits the lowest but one has slope 255, and its
+//! Layer 4. A slope explodes as the normal falls to the horizon: in 8 bits the lowest but one has slope 255, and its
 //! square outweighs a thousand others. So there is a cap, the caller names it, and learns what it cost.
 
 use crate::error::Error;
 use crate::scalar::Real;
 use crate::slope::direction::from_disk;
+use core::ops::Add;
 
 /// A texel that stands for a normal, of any length.
 ///
-/// Integers are unsigned normalised, $2 v / \mathrm{max} - 1$, as glTF and hardware have it. Pairs (BC5 and its
+/// Integers are unsigned normalized, $2 v / \mathrm{max} - 1$, as glTF and hardware have it. Pairs (BC5 and its
 /// kind) have no z: it is what is left to unit length, $\sqrt{\max(0, 1 - x^2 - y^2)}$. Triples may have any length:
 /// slopes are quotients, so the unequal lengths of compressed maps change nothing. Of four the last, alpha, is
 /// ignored.
 pub trait NormalTexel: Copy {
-    /// The normal, not normalised.
+    /// The normal, not normalized.
     ///
     /// WGSL: none, a texture gives it there.
     fn normal<R: Real>(self) -> [R; 3];
 }
 
-macro_rules! unsigned_normalised {
+macro_rules! unsigned_normalized {
     ($($int:ty),*) => {$(
         impl NormalTexel for [$int; 3] {
             #[inline]
@@ -54,7 +55,7 @@ macro_rules! with_alpha {
         }
     };
 }
-unsigned_normalised!(u8, u16);
+unsigned_normalized!(u8, u16);
 
 macro_rules! float {
     ($($t:ty),*) => {$(
@@ -96,37 +97,40 @@ pub struct SlopeCap<R> {
 
 /// How many of how many texels a cap touched.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Clipped {
+pub struct ClippedTexels {
     /// Texels that the cap shortened, or that had no direction.
     pub texels: usize,
     /// All texels.
     pub of: usize,
 }
 
-impl Clipped {
+impl ClippedTexels {
     /// Their share, in \[0, 1\]; 0 of nothing.
     ///
     /// ```
-    /// use lobe::material::lean::Clipped;
-    /// assert_eq!(Clipped { texels: 1, of: 4 }.fraction(), 0.25);
+    /// use lobe::material::lean::ClippedTexels;
+    /// assert_eq!(ClippedTexels { texels: 1, of: 4 }.fraction(), 0.25);
     /// ```
     ///
     /// WGSL: none, maps are read on the CPU.
     pub fn fraction(&self) -> f64 {
         if self.of == 0 { 0.0 } else { self.texels as f64 / self.of as f64 }
     }
+}
+
+impl Add for ClippedTexels {
+    type Output = Self;
 
     /// Both together, as of bands of one map.
     ///
     /// ```
-    /// use lobe::material::lean::Clipped;
-    /// let band = Clipped { texels: 1, of: 4 };
-    /// assert_eq!(band.plus(Clipped::default()), band);
+    /// use lobe::material::lean::ClippedTexels;
+    /// let band = ClippedTexels { texels: 1, of: 4 };
+    /// assert_eq!(band + ClippedTexels::default(), band);
     /// ```
     ///
     /// WGSL: none, maps are read on the CPU.
-    #[must_use]
-    pub fn plus(self, other: Self) -> Self {
+    fn add(self, other: Self) -> Self {
         Self { texels: self.texels + other.texels, of: self.of + other.of }
     }
 }
@@ -217,11 +221,11 @@ impl<R: Real> SlopeCap<R> {
     /// [`Error::Length`] unless both slices have one length; nothing is then written.
     ///
     /// ```
-    /// use lobe::material::lean::{Clipped, SlopeCap};
+    /// use lobe::material::lean::{ClippedTexels, SlopeCap};
     /// let mut slopes = [[0.0_f32; 2]; 2];
     /// let texels = [[128_u8, 128, 255], [255, 128, 128]];
     /// let clipped = SlopeCap::new(10.0)?.slopes(&texels, &mut slopes)?;
-    /// assert_eq!(clipped, Clipped { texels: 1, of: 2 });
+    /// assert_eq!(clipped, ClippedTexels { texels: 1, of: 2 });
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
@@ -230,7 +234,7 @@ impl<R: Real> SlopeCap<R> {
         &self,
         texels: &[T],
         out: &mut [[R; 2]],
-    ) -> Result<Clipped, Error> {
+    ) -> Result<ClippedTexels, Error> {
         if texels.len() != out.len() {
             return Err(Error::Length);
         }
@@ -240,6 +244,6 @@ impl<R: Real> SlopeCap<R> {
             *slope = limited;
             touched += usize::from(clipped);
         }
-        Ok(Clipped { texels: touched, of: texels.len() })
+        Ok(ClippedTexels { texels: touched, of: texels.len() })
     }
 }

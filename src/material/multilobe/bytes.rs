@@ -1,12 +1,12 @@
 //! A dictionary as bytes, for a file of the caller's.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use alloc::vec::Vec;
 
 use super::dictionary::Dictionary;
 use super::generate::REACH;
-use super::recipe::{Means, Recipe};
+use super::recipe::{LobeMeans, Recipe};
 use crate::error::Error;
 
 /// What bytes of a dictionary begin with.
@@ -22,7 +22,7 @@ impl Dictionary<f32> {
     /// The dictionary as bytes.
     ///
     /// Little-endian: 8 bytes `lobe dct`; u32 version, 1; u32 marginals, levels, intervals; u32 means, 0 for
-    /// [`Means::Stratified`] and 1 for [`Means::Published`]; u32 seed; f64 width; u32 checksum, FNV-1a of all other bytes; then
+    /// [`LobeMeans::Stratified`] and 1 for [`LobeMeans::Chermain`]; u32 seed; f64 width; u32 checksum, FNV-1a of all other bytes; then
     /// f32 density and f32 cumulative of each node, in the order of [`Dictionary::nodes`].
     ///
     /// ```
@@ -41,8 +41,8 @@ impl Dictionary<f32> {
     pub fn to_bytes(&self) -> Vec<u8> {
         let Recipe { marginals, levels, intervals, width, means, seed } = *self.recipe();
         let means = match means {
-            Means::Stratified => 0_u32,
-            Means::Published => 1,
+            LobeMeans::Stratified => 0_u32,
+            LobeMeans::Chermain => 1,
         };
         let mut bytes = Vec::with_capacity(HEADER + 8 * self.nodes().len());
         bytes.extend(MAGIC);
@@ -80,8 +80,8 @@ impl Dictionary<f32> {
         }
         let width = bytes.get(32..40).and_then(|eight| eight.try_into().ok());
         let means = match word(24)? {
-            0 => Means::Stratified,
-            1 => Means::Published,
+            0 => LobeMeans::Stratified,
+            1 => LobeMeans::Chermain,
             _ => return Err(Error::Recipe),
         };
         let recipe = Recipe {

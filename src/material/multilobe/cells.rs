@@ -1,11 +1,11 @@
 //! The cells that a pixel covers, on two levels, and what each of them has drawn.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use super::ellipse::Ellipse;
 use super::material::MultiLobe;
 use super::recipe::Recipe;
-use crate::material::glint::{Cell, finest};
+use crate::material::cells::{Cell, finest};
 use crate::scalar::Real;
 use crate::scalar::hash::{tail, uniform};
 use crate::scalar::quantile::normal_quantile;

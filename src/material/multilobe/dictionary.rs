@@ -1,6 +1,6 @@
 //! A dictionary of marginals: one-dimensional densities of slopes, each on many levels.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use alloc::vec::Vec;
 

@@ -1,8 +1,8 @@
 //! Which cells of a level an elliptic pixel covers, and how much of each.
 //!
-//! Floor 4.
+//! Layer 4.
 
-use crate::material::glint::{Patch, corner, place};
+use crate::material::cells::{Patch, corner, place};
 use crate::scalar::{Psd, Real};
 
 /// The largest aspect ratio of a pixel: longer ones are widened to it.
@@ -11,7 +11,7 @@ pub const ELLIPSE_LIMIT: u32 = 8;
 /// Rows that one level may need: a half height of 16 cells, grown by one cell's own.
 pub(super) const ROWS: i32 = 34;
 
-/// A pixel's ellipse on texture coordinates: centre, and square of its axes.
+/// A pixel's ellipse on texture coordinates: center, and square of its axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ellipse<R> {
     pub(super) tile: [i32; 2],
@@ -26,7 +26,7 @@ pub(super) struct Ellipse<R> {
 pub(super) struct Rows<R> {
     /// Indices that cells and rows count from, along u and v.
     corner: [i64; 2],
-    centre: [R; 2],
+    midpoint: [R; 2],
     square: Psd<R>,
     pub(super) first: i32,
     pub(super) last: i32,
@@ -77,22 +77,22 @@ impl<R: Real> Ellipse<R> {
         let inverse = R::power_of_two(-exponent);
         // Beyond what cells are made for, and below what indices hold.
         let limit = R::power_of_two(if R::SINGLE { 21 } else { 29 });
-        let centre = [0, 1]
+        let midpoint = [0, 1]
             .map(|k| place(self.tile[k], self.uv[k], exponent).max(-limit).min(limit) - R::HALF);
         let cell = Psd::with_root_det([R::ONE, R::ZERO, R::ONE], R::ONE);
-        let square = self.square.scaled(inverse * inverse).plus(&cell);
+        let square = (self.square * (inverse * inverse)) + cell;
         let [_, _, yy] = square.entries();
-        let [first, last] = between(centre[1], yy.sqrt());
+        let [first, last] = between(midpoint[1], yy.sqrt());
         let corner = self.tile.map(|tile| corner(tile, exponent));
-        Rows { corner, centre, square, first, last }
+        Rows { corner, midpoint, square, first, last }
     }
 }
 
 /// The whole numbers within a distance.
 #[inline]
-fn between<R: Real>(centre: R, reach: R) -> [i32; 2] {
-    let first = -((reach - centre).floor());
-    [first, (centre + reach).floor().min(first + ROWS - 1)]
+fn between<R: Real>(midpoint: R, reach: R) -> [i32; 2] {
+    let first = -((reach - midpoint).floor());
+    [first, (midpoint + reach).floor().min(first + ROWS - 1)]
 }
 
 impl<R: Real> Rows<R> {
@@ -100,9 +100,9 @@ impl<R: Real> Rows<R> {
     #[inline]
     pub(super) fn row(&self, t: i32) -> Row<R> {
         let [_, xy, yy] = self.square.entries();
-        let offset = R::lit(f64::from(t)) - self.centre[1];
+        let offset = R::lit(f64::from(t)) - self.midpoint[1];
         let rest = (R::ONE - offset * offset / yy).max(R::ZERO);
-        let middle = self.centre[0] + xy / yy * offset;
+        let middle = self.midpoint[0] + xy / yy * offset;
         let square = self.square.root_det() * (self.square.root_det() / yy);
         let [first, last] = between(middle, (square * rest).sqrt());
         Row { first, last, middle, scale: R::ONE / square, rest }

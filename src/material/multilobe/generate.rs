@@ -1,14 +1,14 @@
 //! Generation of a dictionary: nested sums of lobes, level by level.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::recipe::{Means, Recipe};
-use crate::scalar::Real;
+use super::recipe::{LobeMeans, Recipe};
 use crate::scalar::hash::{hash, tail};
 use crate::scalar::quantile::normal_quantile;
+use crate::scalar::{Internal, Real};
 
 /// Deviations that a table reaches to.
 pub(super) const REACH: f64 = 4.0;
@@ -38,7 +38,7 @@ pub(super) fn tables(recipe: &Recipe) -> Vec<[f64; 2]> {
             let level = count.trailing_zeros() as usize;
             for (marginal, sum) in sums.chunks_exact(stride).enumerate() {
                 let begin = (marginal * levels as usize + level) * stride;
-                normalised(sum, &mut tables[begin..begin + stride]);
+                normalized(sum, &mut tables[begin..begin + stride]);
             }
         }
     }
@@ -48,12 +48,12 @@ pub(super) fn tables(recipe: &Recipe) -> Vec<[f64; 2]> {
 /// Draws the mean of the `lobe`th pair of lobes of every marginal: its magnitude, as lobes come in pairs.
 fn draw(recipe: &Recipe, lobe: u32, strata: &mut [u32], means: &mut [f64]) {
     let deviation = match recipe.means {
-        Means::Stratified => {
+        LobeMeans::Stratified => {
             // What a lobe has, and a line between nodes.
             let step = REACH / f64::from(recipe.intervals);
             Real::sqrt(1.0 - recipe.width * recipe.width - step * step / 6.0)
         }
-        Means::Published => 1.0,
+        LobeMeans::Chermain => 1.0,
     };
     // From the last marginal on: each takes one of the strata that are left (Fisher & Yates).
     for marginal in (0..recipe.marginals).rev() {
@@ -64,10 +64,10 @@ fn draw(recipe: &Recipe, lobe: u32, strata: &mut [u32], means: &mut [f64]) {
         strata.swap(pick as usize, marginal as usize);
         let inside: f64 = tail(place);
         means[marginal as usize] = match recipe.means {
-            Means::Stratified => {
+            LobeMeans::Stratified => {
                 (f64::from(strata[marginal as usize]) + inside) / f64::from(recipe.marginals)
             }
-            Means::Published => inside,
+            LobeMeans::Chermain => inside,
         };
     }
     // In a loop of their own, for lanes.
@@ -98,7 +98,7 @@ impl Curve {
         let nodes = f64::from(recipe.intervals) / REACH;
         // From node to node, in deviations of a lobe.
         let step = 1.0 / (nodes * recipe.width);
-        let before = Real::floor(SUPPORT / step) + 1;
+        let before = Internal::floor(SUPPORT / step) + 1;
         let part = |place: i32| f64::from(place) / f64::from(PLACES);
         let value = |distance: f64| Real::exp(-0.5 * distance * distance);
         let values = (0..PLACES).flat_map(|place| {
@@ -111,7 +111,7 @@ impl Curve {
     /// Adds $g(x - \mu) + g(x + \mu)$ at the nodes from 0 on, with $\mu \ge 0$: at each the first lobe, at it and at what
     /// mirrors it.
     fn add(&self, mean: f64, sums: &mut [f64]) {
-        let place = Real::floor(mean * self.scale + 0.5);
+        let place = Internal::floor(mean * self.scale + 0.5);
         let begin = self.count * (place % PLACES).unsigned_abs() as usize;
         let values = &self.values[begin..begin + self.count];
         let first = place / PLACES - self.before;
@@ -131,7 +131,7 @@ impl Curve {
 }
 
 /// A sum of lobes as a density whose linear interpolant has an integral of 1/2 from 0 on, and that integral up to each node.
-fn normalised(sums: &[f64], table: &mut [[f64; 2]]) {
+fn normalized(sums: &[f64], table: &mut [[f64; 2]]) {
     let step = REACH / (sums.len() - 1) as f64;
     let mut whole = 0.0;
     for pair in sums.windows(2) {

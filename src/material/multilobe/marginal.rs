@@ -1,6 +1,6 @@
 //! One even density of slopes along one axis, by its nodes.
 //!
-//! Floor 4.
+//! Layer 4.
 #![allow(clippy::cast_sign_loss, reason = "nodes are counted by their magnitude")]
 
 use super::generate::REACH;

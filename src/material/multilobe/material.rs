@@ -1,13 +1,8 @@
 //! A surface of many facets: their slopes from afar, and how many there are.
 //!
-//! Floor 4.
+//! Layer 4.
 
-use super::cells::Cells;
-use super::dictionary::Dictionary;
-use super::ellipse::Ellipse;
-use super::lobe::PatchLobe;
 use crate::error::Error;
-use crate::material::glint::Patch;
 use crate::scalar::Real;
 use crate::slope::Roughness;
 
@@ -17,18 +12,18 @@ use crate::slope::Roughness;
 /// details reflect at each half vector, so that one pixel's density integrates to 1 on average only, here every cell has
 /// a whole density, a rotated product of two marginals of a [`Dictionary`].
 ///
-/// Source: Chermain et al. 2020, 2021a. A dictionary of [`Means::Published`](super::Means::Published) and
-/// [`PatchLobe::with_mips`] are as published. Ours are: singular values in place of the derivatives' lengths, and aspects up to
+/// Source: Chermain et al. 2020, 2021a. A dictionary of [`LobeMeans::Chermain`](super::LobeMeans::Chermain) and
+/// [`PatchNdf::with_mips`] are as published. Ours are: singular values in place of the derivatives' lengths, and aspects up to
 /// 8, where they have 4; levels rounded by chance; the smaller masking in place of the product; no cell smaller than
 /// one facet's square; tables read at their nodes.
 ///
 /// ```
 /// use lobe::Roughness;
-/// use lobe::material::glint::Patch;
+/// use lobe::material::cells::Patch;
 /// use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
 /// let dictionary = Dictionary::<f32>::new(&Recipe { levels: 8, ..Recipe::default() })?;
 /// let sand = MultiLobe::new(Roughness::from_alpha(0.5)?, 1e6)?;
-/// let pixel = sand.lobe(&dictionary, &Patch::new([0.3, 0.7], [1e-3, 0.0], [0.0, 2e-3]));
+/// let pixel = sand.ndf(&dictionary, &Patch::new([0.3, 0.7], [1e-3, 0.0], [0.0, 2e-3]));
 /// assert!(pixel.brdf([0.6, 0.0, 0.8], [-0.28, 0.0, 0.96]) >= 0.0);
 /// # Ok::<(), lobe::Error>(())
 /// ```
@@ -108,17 +103,5 @@ impl<R: Real> MultiLobe<R> {
     /// WGSL: `lobe_multi_lobe_facet_size`.
     pub fn facet_size(&self) -> R {
         R::ONE / self.density.sqrt()
-    }
-
-    /// What a pixel sees of it.
-    ///
-    /// Cells are no smaller than $2^{-20}$ of the distance of `uv` from the tile's corner, in f64 $2^{-28}$: far from the origin
-    /// facets of plain coordinates get larger and fade ([`Patch::new`] says where). Coordinates of large surfaces belong into
-    /// [`Patch::in_tile`]. NaN counts as 0, and numbers beyond $10^9$ as that.
-    ///
-    /// WGSL: `lobe_multi_lobe_lobe`.
-    #[inline]
-    pub fn lobe<'a>(&self, dictionary: &'a Dictionary<R>, patch: &Patch<R>) -> PatchLobe<'a, R> {
-        PatchLobe::new(dictionary, self.roughness, Cells::new(self, Ellipse::of(patch)))
     }
 }

@@ -1,7 +1,7 @@
 //! Many lobes in one pixel: densities of slopes from a dictionary, each with an integral of 1 (feature `glint`).
 //!
 //! A [`Dictionary`] of even marginals is made once, by a [`Recipe`]. A [`MultiLobe`] surface has them on the cells of nested
-//! levels; a pixel sees a mixture of those that it covers ([`PatchLobe`]), filtered by its kernel
+//! levels; a pixel sees a mixture of those that it covers ([`PatchNdf`]), filtered by its kernel
 //! without leaving the tables ([`Marginal::mean`]). As every density is even, V-cavities mask it exactly, and as every
 //! marginal has a cumulative, it can be sampled.
 //!
@@ -15,9 +15,9 @@ mod cells;
 mod dictionary;
 mod ellipse;
 mod generate;
-mod lobe;
 mod marginal;
 mod material;
+mod ndf;
 mod pieces;
 mod plane;
 mod recipe;
@@ -25,8 +25,8 @@ mod sample;
 
 pub use dictionary::Dictionary;
 pub use ellipse::ELLIPSE_LIMIT;
-pub use lobe::PatchLobe;
 pub use marginal::Marginal;
 pub use material::MultiLobe;
-pub use recipe::{Means, Recipe};
-pub use sample::Sampled;
+pub use ndf::PatchNdf;
+pub use recipe::{LobeMeans, Recipe};
+pub use sample::DirectionSample;

@@ -1,6 +1,6 @@
 //! A kernel in pieces, so short that two boxes along any axes are a fair stand-in for each.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use crate::scalar::{Psd, Real};
 
@@ -10,7 +10,7 @@ use crate::scalar::{Psd, Real};
 /// its elongation goes across. Of a piece as long as this that is 4.7 % of the lobe's own variance at most.
 const LONGEST: f64 = 1.5;
 
-/// How far from the middle a piece's centre may be to meet a table, turned by anything: half its diagonal, $4 \sqrt 2$, and
+/// How far from the middle a piece's center may be to meet a table, turned by anything: half its diagonal, $4 \sqrt 2$, and
 /// that of a piece.
 const REACH: f64 = 5.657;
 const HALF_DIAGONAL: f64 = 0.7072;
@@ -82,20 +82,20 @@ impl<R: Real> Pieces<R> {
     /// A piece by its number, 0 in the middle.
     #[inline]
     pub(super) fn piece(&self, k: i32) -> Piece<R> {
-        let (centre, long) = if k == 0 {
+        let (midpoint, long) = if k == 0 {
             (R::ZERO, self.longest.min(self.along))
         } else {
             // On one side of the middle, then on the other.
             let number = R::lit(f64::from(k.abs()));
             let low = (number - R::HALF) * self.longest;
             let high = ((number + R::HALF) * self.longest).min(R::HALF * self.along);
-            let centre = R::HALF * (low + high);
-            (if k < 0 { -centre } else { centre }, (high - low).max(R::ZERO))
+            let midpoint = R::HALF * (low + high);
+            (if k < 0 { -midpoint } else { midpoint }, (high - low).max(R::ZERO))
         };
         let square = self.across * self.across;
         let share = if self.along > self.longest { long / self.along } else { R::ONE };
         Piece {
-            offset: self.axis.map(|c| c * centre),
+            offset: self.axis.map(|c| c * midpoint),
             share,
             square,
             more: long * long - square,

@@ -1,6 +1,6 @@
 //! The plane of a dictionary's marginals: slopes without roughness.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use super::cells::Facets;
 use super::dictionary::Dictionary;

@@ -1,19 +1,19 @@
 //! What a dictionary of marginals is made by.
 //!
-//! Floor 4.
+//! Layer 4.
 
 use crate::error::Error;
 
 /// Where the lobes of a dictionary's marginals stand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Means {
+pub enum LobeMeans {
     /// One in each of as many equal parts of the normal distribution as there are marginals, with what variance the lobes
     /// leave of 1: the dictionary's mean is the smooth lobe, as nearly as its number of marginals allows.
     #[default]
     Stratified,
     /// Independent draws of variance 1, as published (Chermain et al. 2020): the dictionary is wider than its smooth lobe by the
     /// variance of one lobe, and its mean differs from it by sampling noise.
-    Published,
+    Chermain,
 }
 
 /// How a [`Dictionary`](super::Dictionary) is made: sizes, lobes, seed.
@@ -39,7 +39,7 @@ pub struct Recipe {
     /// Deviation of one lobe over that of the whole: from half an interval, $2/$ `intervals`, to 0.5.
     pub width: f64,
     /// Where lobes stand.
-    pub means: Means,
+    pub means: LobeMeans,
     /// For other random numbers.
     pub seed: u32,
 }
@@ -53,7 +53,7 @@ impl Default for Recipe {
             levels: 16,
             intervals: 64,
             width: 0.04 * core::f64::consts::SQRT_2,
-            means: Means::Stratified,
+            means: LobeMeans::Stratified,
             seed: 0,
         }
     }

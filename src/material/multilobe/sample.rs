@@ -1,8 +1,8 @@
 //! Directions drawn by what a pixel sees of many facets, and their density.
 //!
-//! Floor 4.
+//! Layer 4.
 
-use super::lobe::{PatchLobe, bounded};
+use super::ndf::{PatchNdf, bounded};
 use super::plane::Plane;
 use crate::ndf::{cavity_masking, cavity_masking_shadowing};
 use crate::scalar::Real;
@@ -11,7 +11,7 @@ use crate::slope::direction::{dot, half_vector, normal_of, reflect};
 
 /// A direction that was drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sampled<R> {
+pub struct DirectionSample<R> {
     /// Towards the light.
     pub wi: [R; 3],
     /// Its density over solid angle.
@@ -20,7 +20,7 @@ pub struct Sampled<R> {
     pub weight: R,
 }
 
-impl<R: Real> PatchLobe<'_, R> {
+impl<R: Real> PatchNdf<'_, R> {
     /// A direction towards the light, drawn by the facets that `wo` sees.
     ///
     /// `u` are independent uniform numbers in [0, 1): the cell; two for its marginals; two within their boxes; the piece of
@@ -28,17 +28,17 @@ impl<R: Real> PatchLobe<'_, R> {
     /// facet and the one opposite one is taken, in proportion to how much is seen of it. None if `wo` lies below the horizon,
     /// and for NaN. Of a mirror, which has no density, the pdf is 0.
     ///
-    /// Under kernels, but without the lookups of [`PatchLobe::with_mips`], which are no density's.
+    /// Under kernels, but without the lookups of [`PatchNdf::with_mips`], which are no density's.
     ///
     /// Source: Chermain et al. 2021b; Heitz & d'Eon 2014, for V-cavities.
     ///
     /// ```
     /// use lobe::Roughness;
-    /// use lobe::material::glint::Patch;
+    /// use lobe::material::cells::Patch;
     /// use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
     /// let dictionary = Dictionary::<f64>::new(&Recipe { levels: 8, ..Recipe::default() })?;
     /// let sand = MultiLobe::new(Roughness::from_alpha(0.5)?, 1e6)?;
-    /// let pixel = sand.lobe(&dictionary, &Patch::new([0.3, 0.7], [1e-3, 0.0], [0.0, 2e-3]));
+    /// let pixel = sand.ndf(&dictionary, &Patch::new([0.3, 0.7], [1e-3, 0.0], [0.0, 2e-3]));
     /// let wo = [0.6, 0.0, 0.8];
     /// let drawn = pixel.sample(wo, [0.2, 0.9, 0.3, 0.5, 0.5, 0.1, 0.7]).expect("above");
     /// assert!(drawn.weight <= 1.0);
@@ -47,8 +47,8 @@ impl<R: Real> PatchLobe<'_, R> {
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
-    /// WGSL: `lobe_patch_lobe_sample`.
-    pub fn sample(&self, wo: impl Into<[R; 3]>, u: [R; 7]) -> Option<Sampled<R>> {
+    /// WGSL: `lobe_patch_ndf_sample`.
+    pub fn sample(&self, wo: impl Into<[R; 3]>, u: [R; 7]) -> Option<DirectionSample<R>> {
         let wo = wo.into();
         if !(wo[2] > R::ZERO) {
             return None;
@@ -65,13 +65,13 @@ impl<R: Real> PatchLobe<'_, R> {
             masking if masking > R::ZERO => cavity_masking_shadowing(wo, wi, m) / masking,
             _ => R::ZERO,
         };
-        Some(Sampled { wi, pdf: self.pdf(wo, wi), weight })
+        Some(DirectionSample { wi, pdf: self.pdf(wo, wi), weight })
     }
 
-    /// Density over solid angle with which [`PatchLobe::sample`] draws `wi`: $G_1(w_o, h) D(h)/(4 o_z)$, 0 for `wo` below the
+    /// Density over solid angle with which [`PatchNdf::sample`] draws `wi`: $G_1(w_o, h) D(h)/(4 o_z)$, 0 for `wo` below the
     /// horizon. Over all `wi`, those below the horizon included, its integral is 1.
     ///
-    /// WGSL: `lobe_patch_lobe_pdf`.
+    /// WGSL: `lobe_patch_ndf_pdf`.
     pub fn pdf(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> R {
         let (wo, wi) = (wo.into(), wi.into());
         let h = half_vector(wo, wi);
@@ -83,9 +83,9 @@ impl<R: Real> PatchLobe<'_, R> {
         }
     }
 
-    /// A slope of [`PatchLobe::slope_pdf`], by the first six of those numbers.
+    /// A slope of [`PatchNdf::slope_pdf`], by the first six of those numbers.
     ///
-    /// WGSL: `lobe_patch_lobe_sample_slope`.
+    /// WGSL: `lobe_patch_ndf_sample_slope`.
     pub fn sample_slope(&self, u: [R; 7]) -> [R; 2] {
         let Some(facets) = self.chosen(u[0]) else {
             return self.sample_smooth([u[1], u[2]]);

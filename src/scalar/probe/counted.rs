@@ -1,9 +1,8 @@
 //! A number that counts what is done with it: what a formula costs, whatever the machine.
 //!
-//! Floor 0, feature `probe`. An f32 in all its results; every operation is noted for the thread that does it.
+//! Layer 0, feature `probe`. An f32 in all its results; every operation is noted for the thread that does it.
 
-use crate::scalar::Real;
-use crate::scalar::real::sealed::Sealed;
+use crate::scalar::{Internal, Real};
 use core::cell::Cell;
 use core::cmp::Ordering;
 use core::fmt;
@@ -69,8 +68,6 @@ fn note(kind: fn(&mut Operations) -> &mut u64) {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Counted(f32);
 
-impl Sealed for Counted {}
-
 impl fmt::Display for Counted {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
@@ -124,6 +121,25 @@ macro_rules! functions {
     };
 }
 
+impl Internal for Counted {
+    const SINGLE: bool = true;
+
+    fn upper_angle(self, x: Self) -> Self {
+        note(|done| &mut done.transcendental);
+        Self(self.0.upper_angle(x.0))
+    }
+    fn exponent(self) -> i32 {
+        self.0.exponent()
+    }
+    fn upper_half(self) -> Self {
+        Self(self.0.upper_half())
+    }
+    fn atan_excess(self) -> Self {
+        note(|done| &mut done.transcendental);
+        Self(self.0.atan_excess())
+    }
+}
+
 impl Real for Counted {
     const ZERO: Self = Self(0.0);
     const HALF: Self = Self(0.5);
@@ -133,7 +149,6 @@ impl Real for Counted {
     const EPSILON: Self = Self(f32::EPSILON);
     const MIN_POSITIVE: Self = Self(f32::MIN_POSITIVE);
     const MAX: Self = Self(f32::MAX);
-    const SINGLE: bool = true;
     const LARGEST: Self = Self(f32::LARGEST);
 
     fn lit(x: f64) -> Self {
@@ -153,20 +168,10 @@ impl Real for Counted {
     }
     functions!(
         sqrt roots, exp transcendental, ln transcendental, atan transcendental, erfc transcendental,
-        erfcx transcendental, ierfcx transcendental, atan_excess transcendental
+        erfcx transcendental, ierfcx transcendental
     );
     fn atan2(self, x: Self) -> Self {
         note(|done| &mut done.transcendental);
         Self(Real::atan2(self.0, x.0))
-    }
-    fn upper_angle(self, x: Self) -> Self {
-        note(|done| &mut done.transcendental);
-        Self(self.0.upper_angle(x.0))
-    }
-    fn exponent(self) -> i32 {
-        self.0.exponent()
-    }
-    fn upper_half(self) -> Self {
-        Self(self.0.upper_half())
     }
 }

@@ -1,9 +1,9 @@
 //! An f32 as a GPU computes it that contracts: every product that is added is fused.
 //!
-//! Floor 0, feature `probe`. One such machine of many, and the extreme: whatever a compiler may fuse, it fuses.
+//! Layer 0, feature `probe`. One such machine of many, and the extreme: whatever a compiler may fuse, it fuses.
 
 use crate::scalar::single::Single;
-use crate::scalar::{Real, atan, erfc, exp, ln, real::sealed::Sealed};
+use crate::scalar::{Internal, Real, atan, erfc, exp, ln};
 use core::cmp::Ordering;
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -15,7 +15,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// right one was rounded. A sign passes through, and so does a choice between two numbers, as through a
 /// compiler's eyes; everything else leaves a plain number: quotients, roots, absolute values, minima and maxima,
 /// literals, results of elementary functions (which fuse within their polynomials), and what is kept with
-/// `Real::kept`. Comparisons see the rounded product. Sine and cosine are those of f32.
+/// `Internal::kept`. Comparisons see the rounded product. Sine and cosine are those of f32.
 ///
 /// ```
 /// use lobe::probe::Fused;
@@ -51,8 +51,6 @@ impl Fused {
         self.value
     }
 }
-
-impl Sealed for Fused {}
 
 impl fmt::Display for Fused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -129,6 +127,26 @@ macro_rules! functions {
     };
 }
 
+impl Internal for Fused {
+    const SINGLE: bool = true;
+
+    fn upper_angle(self, x: Self) -> Self {
+        atan::upper_angle_f32(self, x).kept()
+    }
+    fn exponent(self) -> i32 {
+        self.value.exponent()
+    }
+    fn upper_half(self) -> Self {
+        Self::new(self.value.upper_half())
+    }
+    fn kept(self) -> Self {
+        Self::new(self.value)
+    }
+    fn atan_excess(self) -> Self {
+        atan::atan_excess_f32(self).kept()
+    }
+}
+
 impl Real for Fused {
     const ZERO: Self = Self::new(0.0);
     const HALF: Self = Self::new(0.5);
@@ -138,7 +156,6 @@ impl Real for Fused {
     const EPSILON: Self = Self::new(f32::EPSILON);
     const MIN_POSITIVE: Self = Self::new(f32::MIN_POSITIVE);
     const MAX: Self = Self::new(f32::MAX);
-    const SINGLE: bool = true;
     const LARGEST: Self = Self::new(f32::LARGEST);
 
     fn lit(x: f64) -> Self {
@@ -165,22 +182,10 @@ impl Real for Fused {
     }
     functions!(
         exp exp::exp_f32, ln ln::ln_f32, atan atan::atan_f32, erfc erfc::erfc_f32,
-        erfcx erfc::erfcx_f32, ierfcx erfc::ierfcx_f32, atan_excess atan::atan_excess_f32
+        erfcx erfc::erfcx_f32, ierfcx erfc::ierfcx_f32
     );
     fn atan2(self, x: Self) -> Self {
         atan::atan2_f32(self, x).kept()
-    }
-    fn upper_angle(self, x: Self) -> Self {
-        atan::upper_angle_f32(self, x).kept()
-    }
-    fn exponent(self) -> i32 {
-        self.value.exponent()
-    }
-    fn upper_half(self) -> Self {
-        Self::new(self.value.upper_half())
-    }
-    fn kept(self) -> Self {
-        Self::new(self.value)
     }
 }
 

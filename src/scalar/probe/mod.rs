@@ -1,6 +1,6 @@
 //! Precisions that measure: operations, contraction, rounding. For reports and checks, not for shading.
 //!
-//! Floor 0, feature `probe`. Three further types of the trait [`Real`](crate::Real), each an f32 in disguise, so
+//! Layer 0, feature `probe`. Three further types of the trait [`Real`](crate::Real), each an f32 in disguise, so
 //! that every function of this crate runs on them as it stands:
 //!
 //! | | answers |

@@ -1,9 +1,8 @@
 //! An f32 with a bound of its rounding errors, carried along.
 //!
-//! Floor 0, feature `probe`. Running error analysis (Wilkinson 1986, "Error analysis revisited").
+//! Layer 0, feature `probe`. Running error analysis (Wilkinson 1986, "Error analysis revisited").
 
-use crate::scalar::Real;
-use crate::scalar::real::sealed::Sealed;
+use crate::scalar::{Internal, Real};
 use core::cmp::Ordering;
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -29,7 +28,7 @@ const TURN: f64 = core::f64::consts::TAU / UNIT;
 /// or maximum both where they are near.
 ///
 /// Exact sums and products (`scalar::exact`), whose parts are kept, cost nothing: the pair has the errors of the
-/// operands only. The cut of `Real::upper_half` is deliberate, and adds nothing.
+/// operands only. The cut of `Internal::upper_half` is deliberate, and adds nothing.
 ///
 /// ```
 /// use lobe::probe::Rounded;
@@ -126,8 +125,6 @@ impl Rounded {
     }
 }
 
-impl Sealed for Rounded {}
-
 impl fmt::Display for Rounded {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.value.fmt(f)
@@ -187,6 +184,34 @@ impl Neg for Rounded {
     }
 }
 
+impl Internal for Rounded {
+    const SINGLE: bool = true;
+
+    fn upper_angle(self, x: Self) -> Self {
+        Self::result(self.value.upper_angle(x.value), 4.0, self.turned(x))
+    }
+    fn atan_excess(self) -> Self {
+        let (x, error) = self.parts();
+        // 2 x^2 / (1 + x^2)^2, which grows up to 1.
+        let most = (x + error).min(1.0);
+        let slope = 2.0 * (most / (1.0 + most * most)).powi(2);
+        Self::result(self.value.atan_excess(), 11.0, slope * self.units())
+    }
+    fn exponent(self) -> i32 {
+        self.value.exponent()
+    }
+    fn upper_half(self) -> Self {
+        Self { value: self.value.upper_half(), ..self }
+    }
+    fn with_rest(self, rest: Self) -> (Self, Self) {
+        // The rest of a product this small, or a part of it, is too small for a number.
+        let tiny = self.value != 0.0 && self.value.abs() < f32::MIN_POSITIVE / f32::EPSILON.powi(2);
+        let flushed = if tiny { 4.0 * FLUSHED } else { 0.0 };
+        let own = if rest.value.is_finite() { 0.0 } else { f64::INFINITY };
+        (Self { own, ..self }, Self::result(rest.value, 1.0, flushed))
+    }
+}
+
 impl Real for Rounded {
     const ZERO: Self = Self::exact(0.0);
     const HALF: Self = Self::exact(0.5);
@@ -196,7 +221,6 @@ impl Real for Rounded {
     const EPSILON: Self = Self::exact(f32::EPSILON);
     const MIN_POSITIVE: Self = Self::exact(f32::MIN_POSITIVE);
     const MAX: Self = Self::exact(f32::MAX);
-    const SINGLE: bool = true;
     const LARGEST: Self = Self::exact(f32::LARGEST);
 
     fn lit(x: f64) -> Self {
@@ -270,28 +294,5 @@ impl Real for Rounded {
         let least = (x - error).max(0.0);
         let slope = (least.erfcx() - 2.0 * least * least.ierfcx()).abs();
         Self::scaled(Real::ierfcx(self.value), 8.0, slope * self.units(), false)
-    }
-    fn upper_angle(self, x: Self) -> Self {
-        Self::result(self.value.upper_angle(x.value), 4.0, self.turned(x))
-    }
-    fn atan_excess(self) -> Self {
-        let (x, error) = self.parts();
-        // 2 x^2 / (1 + x^2)^2, which grows up to 1.
-        let most = (x + error).min(1.0);
-        let slope = 2.0 * (most / (1.0 + most * most)).powi(2);
-        Self::result(self.value.atan_excess(), 11.0, slope * self.units())
-    }
-    fn exponent(self) -> i32 {
-        self.value.exponent()
-    }
-    fn upper_half(self) -> Self {
-        Self { value: self.value.upper_half(), ..self }
-    }
-    fn with_rest(self, rest: Self) -> (Self, Self) {
-        // The rest of a product this small, or a part of it, is too small for a number.
-        let tiny = self.value != 0.0 && self.value.abs() < f32::MIN_POSITIVE / f32::EPSILON.powi(2);
-        let flushed = if tiny { 4.0 * FLUSHED } else { 0.0 };
-        let own = if rest.value.is_finite() { 0.0 } else { f64::INFINITY };
-        (Self { own, ..self }, Self::result(rest.value, 1.0, flushed))
     }
 }

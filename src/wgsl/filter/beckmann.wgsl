@@ -26,30 +26,30 @@ fn lobe_beckmann_mean_along(slope: f32, width: f32, alpha: f32) -> f32 {
 }
 
 // WGSL only: Rust has it as a closure.
-fn lobe_beckmann_relative(half: f32, centre: f32, y: f32) -> f32 {
+fn lobe_beckmann_relative(half: f32, midpoint: f32, y: f32) -> f32 {
     let step = 2.0 * half * y;
-    return lobe_exp(-(step * (2.0 * centre + step)));
+    return lobe_exp(-(step * (2.0 * midpoint + step)));
 }
 
 // Rust: `unit_mean`.
 fn lobe_beckmann_unit_mean(slope: f32, width: f32, alpha: f32) -> f32 {
-    let centre = lobe_beckmann_divide(abs(slope), alpha);
+    let midpoint = lobe_beckmann_divide(abs(slope), alpha);
     let half = lobe_beckmann_divide(0.5 * abs(width), alpha);
-    if half.x * (1.0 + 2.0 * centre.x) <= 0.5 {
+    if half.x * (1.0 + 2.0 * midpoint.x) <= 0.5 {
         let nodes = LOBE_GAUSS_FOUR;
         let relative = lobe_gauss_mean(vec4f(
-            lobe_beckmann_relative(half.x, centre.x, nodes.x), lobe_beckmann_relative(half.x, centre.x, nodes.y),
-            lobe_beckmann_relative(half.x, centre.x, nodes.z), lobe_beckmann_relative(half.x, centre.x, nodes.w)
+            lobe_beckmann_relative(half.x, midpoint.x, nodes.x), lobe_beckmann_relative(half.x, midpoint.x, nodes.y),
+            lobe_beckmann_relative(half.x, midpoint.x, nodes.z), lobe_beckmann_relative(half.x, midpoint.x, nodes.w)
         ));
         // 1/sqrt(pi).
-        return 0.5641895835477563 * lobe_beckmann_exp_minus_square(centre.x, centre.y) * relative;
+        return 0.5641895835477563 * lobe_beckmann_exp_minus_square(midpoint.x, midpoint.y) * relative;
     }
-    let far = centre.x + half.x;
-    let end = lobe_two_sum(centre.x, -half.x);
-    let near = lobe_two_sum(end.x, end.y + (centre.y - half.y));
+    let far = midpoint.x + half.x;
+    let end = lobe_two_sum(midpoint.x, -half.x);
+    let near = lobe_two_sum(end.x, end.y + (midpoint.y - half.y));
     var mass = 0.0;
     if near.x >= 0.0 {
-        let between = lobe_exp(-(4.0 * half.x * centre.x));
+        let between = lobe_exp(-(4.0 * half.x * midpoint.x));
         mass = lobe_beckmann_exp_minus_square(near.x, near.y) * (lobe_erfcx(near.x) - lobe_erfcx(far) * between);
     } else {
         mass = 2.0 - lobe_erfc(-near.x) - lobe_erfc(far);

@@ -2,12 +2,12 @@
 
 // Rust: `Roughness::widened`.
 fn lobe_roughness_widened(roughness: LobeRoughness, kernel: LobeKernel) -> LobeRoughness {
-    return lobe_roughness_plus(roughness, lobe_roughness_from_covariance(kernel.covariance));
+    return lobe_roughness_add(roughness, lobe_roughness_from_covariance(kernel.covariance));
 }
 
 // Rust: `Lobe::widened`.
-fn lobe_widened(lobe: Lobe, kernel: LobeKernel) -> Lobe {
-    return Lobe(lobe.mean, lobe_roughness_widened(lobe.roughness, kernel));
+fn lobe_lobe_widened(lobe: LobeLobe, kernel: LobeKernel) -> LobeLobe {
+    return LobeLobe(lobe.mean, lobe_roughness_widened(lobe.roughness, kernel));
 }
 
 // WGSL only: the forms and determinants of `ggx_gaussian_mean`, which has them as a closure's captures.
@@ -33,19 +33,19 @@ fn lobe_gaussian_adjugate_form(psd: LobePsd, d: vec2f, d_low: vec2f) -> f32 {
         let scale = lobe_max(psd.xx, psd.yy);
         return select(0.0, u * (u / scale), scale > 0.0);
     }
-    let full = lobe_full_new(LobeRoughness(psd));
-    return full.root_det * lobe_full_form(full, vec3f(d, 0.0), vec3f(d_low, 0.0));
+    let full = lobe_anisotropic_new(LobeRoughness(psd));
+    return full.root_det * lobe_anisotropic_form(full, vec3f(d, 0.0), vec3f(d_low, 0.0));
 }
 
 // Rust: `ggx_gaussian_mean`. 0 for a slope that is infinite or NaN.
-fn lobe_ggx_gaussian_mean(lobe: Lobe, slope: vec2f, kernel: LobeKernel) -> f32 {
+fn lobe_ggx_gaussian_mean(lobe: LobeLobe, slope: vec2f, kernel: LobeKernel) -> f32 {
     let base = lobe.roughness.psd;
-    let added = lobe_psd_scaled(kernel.covariance, 2.0);
+    let added = lobe_psd_mul(kernel.covariance, 2.0);
     let known = lobe_is_finite(slope.x) && lobe_is_finite(slope.y);
-    if !known || lobe_psd_is_singular(lobe_psd_plus(base, added)) {
+    if !known || lobe_psd_is_singular(lobe_psd_add(base, added)) {
         return 0.0;
     }
-    let offset = lobe_tilted_offset(lobe_shape(lobe), slope);
+    let offset = lobe_non_centered_offset(lobe_lobe_shape(lobe), slope);
     let terms = LobeGaussianTerms(
         lobe_gaussian_adjugate_form(base, offset.xy, offset.zw),
         lobe_gaussian_adjugate_form(added, offset.xy, offset.zw),
@@ -70,6 +70,6 @@ fn lobe_ggx_gaussian_mean(lobe: Lobe, slope: vec2f, kernel: LobeKernel) -> f32 {
     if lobe_is_finite(mean) {
         return mean;
     }
-    let widened = lobe_shape(lobe_widened(lobe, kernel));
-    return lobe_ggx_slope_pdf(lobe_tilted_normal(widened, vec3f(-slope.x, -slope.y, 1.0)));
+    let widened = lobe_lobe_shape(lobe_lobe_widened(lobe, kernel));
+    return lobe_ggx_slope_pdf(lobe_non_centered_normal(widened, vec3f(-slope.x, -slope.y, 1.0)));
 }

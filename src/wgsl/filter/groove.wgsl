@@ -10,25 +10,25 @@ fn lobe_groove_may_be_unresolved(root_det: f32, longer_side_squared: f32) -> boo
     return !(root_det >= LOBE_MIN_POSITIVE && longer_side_squared <= LOBE_GROOVE_LIMIT * LOBE_GROOVE_LIMIT);
 }
 
-// Rust: `Covered`.
+// Rust: `CoveredCell`.
 struct LobeGrooveCovered {
     mean: f32,
     place: vec2f,
 }
 
 // Rust: `unresolved`: whether it is some.
-fn lobe_groove_is_unresolved(shape: LobeFull, longer_side_squared: f32, footprint: LobeFootprint) -> bool {
+fn lobe_groove_is_unresolved(shape: LobeAnisotropic, longer_side_squared: f32, footprint: LobeFootprint) -> bool {
     return lobe_groove_may_be_unresolved(shape.root_det, longer_side_squared)
         && lobe_groove_is_narrow(shape, longer_side_squared, footprint);
 }
 
 // Rust: `narrow`: whether it is some.
-fn lobe_groove_is_narrow(shape: LobeFull, longer_side_squared: f32, footprint: LobeFootprint) -> bool {
+fn lobe_groove_is_narrow(shape: LobeAnisotropic, longer_side_squared: f32, footprint: LobeFootprint) -> bool {
     let root_det = shape.root_det;
     if !(root_det >= LOBE_MIN_POSITIVE && longer_side_squared <= LOBE_GROOVE_SQUARES) {
         return true;
     }
-    let major = lobe_full_major(shape);
+    let major = lobe_anisotropic_major(shape);
     let minor = lobe_kept(root_det / major.z);
     let thick = lobe_groove_is_mirror(major.z, footprint);
     let brushed = major.z >= 16777216.0 * minor;
@@ -53,8 +53,8 @@ const LOBE_GROOVE_BRUSHED: f32 = 300.0;
 const LOBE_GROOVE_LARGEST_GAIN: f32 = 1e30;
 
 // Rust: `covered`.
-fn lobe_groove_covered(shape: LobeFull, offset: vec4f, footprint: LobeFootprint) -> LobeGrooveCovered {
-    let major = lobe_full_major(shape);
+fn lobe_groove_covered(shape: LobeAnisotropic, offset: vec4f, footprint: LobeFootprint) -> LobeGrooveCovered {
+    let major = lobe_anisotropic_major(shape);
     if lobe_groove_is_mirror(major.z, footprint) {
         return LobeGrooveCovered(lobe_groove_mirror_mean(offset, footprint), vec2f(0.0, 0.0));
     }

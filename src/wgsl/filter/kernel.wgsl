@@ -2,10 +2,13 @@
 
 // Rust: `PixelFilter::BOX`.
 const LOBE_PIXEL_FILTER_BOX: f32 = 0.08333333333333333;
+
 // Rust: `PixelFilter::KAPLANYAN`.
 const LOBE_PIXEL_FILTER_KAPLANYAN: f32 = 0.25;
+
 // Rust: `PixelFilter::TOKUYOSHI_KAPLANYAN`.
 const LOBE_PIXEL_FILTER_TOKUYOSHI_KAPLANYAN: f32 = 0.15915494309189535;
+
 // Rust: `PixelFilter::KAPLANYAN_PROXY`.
 const LOBE_PIXEL_FILTER_KAPLANYAN_PROXY: f32 = 0.5;
 
@@ -22,7 +25,7 @@ fn lobe_kernel_of(footprint: LobeFootprint, variance: f32) -> LobeKernel {
     let factor = limit / lobe_max(lobe_footprint_largest_component(finite), limit);
     let u = vec2f(finite.u.x * factor, finite.u.y * factor);
     let v = vec2f(finite.v.x * factor, finite.v.y * factor);
-    return LobeKernel(lobe_psd_scaled(lobe_psd_outer_sum(u, v), spread));
+    return LobeKernel(lobe_psd_mul(lobe_psd_outer_sum(u, v), spread));
 }
 
 // WGSL only: Rust has it as a closure.
@@ -30,19 +33,9 @@ fn lobe_kernel_finite(v: vec2f) -> vec2f {
     return vec2f(lobe_finite(v.x), lobe_finite(v.y));
 }
 
-// Rust: `Kernel::tokuyoshi_forward`.
-fn lobe_kernel_tokuyoshi_forward(u: vec2f, v: vec2f) -> LobeKernel {
-    return lobe_kernel_of(LobeFootprint(u, v), LOBE_PIXEL_FILTER_KAPLANYAN);
-}
-
 // Rust: `Kernel::from_covariance`.
 fn lobe_kernel_from_covariance(covariance: LobePsd) -> LobeKernel {
     return LobeKernel(covariance);
-}
-
-// Rust: `Kernel::then`.
-fn lobe_kernel_then(kernel: LobeKernel, other: LobeKernel) -> LobeKernel {
-    return LobeKernel(lobe_psd_plus(kernel.covariance, other.covariance));
 }
 
 // Rust: `Kernel::footprint`, for a filter's variance. The zero footprint for a variance that is not positive.
@@ -66,3 +59,8 @@ fn lobe_kernel_capped(kernel: LobeKernel, limit: f32) -> LobeKernel {
 
 // Rust: `Kernel::ALPHA_SQUARED_LIMIT`.
 const LOBE_KERNEL_ALPHA_SQUARED_LIMIT: f32 = 0.18;
+
+// Rust: `Kernel::add`.
+fn lobe_kernel_add(kernel: LobeKernel, other: LobeKernel) -> LobeKernel {
+    return LobeKernel(lobe_psd_add(kernel.covariance, other.covariance));
+}

@@ -20,19 +20,24 @@ fn lobe_disk_kernel_from_covariance(covariance: LobePsd) -> LobeDiskKernel {
     return LobeDiskKernel(LobeKernel(covariance));
 }
 
-// Rust: `DiskKernel::then`.
-fn lobe_disk_kernel_then(kernel: LobeDiskKernel, other: LobeDiskKernel) -> LobeDiskKernel {
-    return LobeDiskKernel(lobe_kernel_then(kernel.as_slopes, other.as_slopes));
-}
-
 // Rust: `DiskKernel::capped`.
 fn lobe_disk_kernel_capped(kernel: LobeDiskKernel, limit: f32) -> LobeDiskKernel {
     return LobeDiskKernel(lobe_kernel_capped(kernel.as_slopes, limit));
 }
 
+// Rust: `DiskKernel::add`.
+fn lobe_disk_kernel_add(kernel: LobeDiskKernel, other: LobeDiskKernel) -> LobeDiskKernel {
+    return LobeDiskKernel(lobe_kernel_add(kernel.as_slopes, other.as_slopes));
+}
+
+// Rust: `Kernel::tokuyoshi_forward`.
+fn lobe_kernel_tokuyoshi_forward(u: vec2f, v: vec2f) -> LobeKernel {
+    return lobe_kernel_of(LobeFootprint(u, v), LOBE_PIXEL_FILTER_KAPLANYAN);
+}
+
 // Rust: `Roughness::widened_on_disk`.
 fn lobe_roughness_widened_on_disk(roughness: LobeRoughness, kernel: LobeDiskKernel) -> LobeRoughness {
-    let added = lobe_projected_bounded(lobe_psd_scaled(kernel.as_slopes.covariance, 2.0));
+    let added = lobe_projected_bounded(lobe_psd_mul(kernel.as_slopes.covariance, 2.0));
     let psd = roughness.psd;
     let complement = 1.0 - lobe_psd_trace(psd) + lobe_psd_det(psd);
     if lobe_psd_trace(psd) < 2.0 && complement >= 0.125 {
@@ -40,7 +45,7 @@ fn lobe_roughness_widened_on_disk(roughness: LobeRoughness, kernel: LobeDiskKern
     }
     let eigen = lobe_psd_eigen(psd);
     if eigen.major < 1.0 {
-        return LobeRoughness(lobe_projected_from_disk(lobe_psd_plus(lobe_projected_to_disk(eigen), added)));
+        return LobeRoughness(lobe_projected_from_disk(lobe_psd_add(lobe_projected_to_disk(eigen), added)));
     }
     if !(eigen.minor < 1.0) {
         return roughness;
@@ -107,5 +112,5 @@ fn lobe_projected_from_disk(projected: LobePsd) -> LobePsd {
 
 // Rust: `bounded`.
 fn lobe_projected_bounded(psd: LobePsd) -> LobePsd {
-    return lobe_psd_scaled(psd, LOBE_LARGEST / lobe_max(lobe_psd_trace(psd), LOBE_LARGEST));
+    return lobe_psd_mul(psd, LOBE_LARGEST / lobe_max(lobe_psd_trace(psd), LOBE_LARGEST));
 }

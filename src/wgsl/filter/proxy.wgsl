@@ -84,13 +84,13 @@ fn lobe_proxy_positive_root(d: f32, m: f32, e: f32) -> f32 {
 
 // Rust: `Roughness::peak_matched`.
 fn lobe_roughness_peak_matched(roughness: LobeRoughness, kernel: LobeKernel) -> LobeRoughness {
-    let peak = lobe_ggx_gaussian_mean(lobe_centred(roughness), vec2f(0.0, 0.0), kernel);
-    return lobe_roughness_with_peak(roughness, lobe_psd_scaled(kernel.covariance, 2.0), peak, 1.0, 2.0);
+    let peak = lobe_ggx_gaussian_mean(lobe_lobe_centered(roughness), vec2f(0.0, 0.0), kernel);
+    return lobe_roughness_with_peak(roughness, lobe_psd_mul(kernel.covariance, 2.0), peak, 1.0, 2.0);
 }
 
 // Rust: `Roughness::peak_fitted`.
 fn lobe_roughness_peak_fitted(roughness: LobeRoughness, kernel: LobeKernel) -> LobeRoughness {
-    let added = lobe_psd_scaled(kernel.covariance, 2.0);
+    let added = lobe_psd_mul(kernel.covariance, 2.0);
     let proxy = lobe_proxy_of(roughness.psd, added);
     var factor = 0.0;
     if proxy.known {
@@ -98,17 +98,17 @@ fn lobe_roughness_peak_fitted(roughness: LobeRoughness, kernel: LobeKernel) -> L
     } else {
         factor = lobe_proxy_mirror_factor(roughness.psd, added);
     }
-    return LobeRoughness(lobe_psd_plus(roughness.psd, lobe_psd_scaled(added, factor)));
+    return LobeRoughness(lobe_psd_add(roughness.psd, lobe_psd_mul(added, factor)));
 }
 
 // Rust: `Roughness::peak_matched_over`.
 fn lobe_roughness_peak_matched_over(roughness: LobeRoughness, footprint: LobeFootprint) -> LobeRoughness {
     let sides = lobe_footprint_bounded(footprint);
     let kernel = lobe_psd_outer_sum(sides.u, sides.v);
-    let shape = LobeTilted(lobe_full_new(roughness), vec2f(0.0, 0.0));
+    let shape = LobeNonCentered(lobe_anisotropic_new(roughness), vec2f(0.0, 0.0));
     let peak = lobe_ggx_parallelogram_mean(shape, vec2f(0.0, 0.0), sides);
     if !(peak > 0.0) {
-        return LobeRoughness(lobe_psd_plus(roughness.psd, lobe_psd_scaled(kernel, LOBE_INVERSE_PI)));
+        return LobeRoughness(lobe_psd_add(roughness.psd, lobe_psd_mul(kernel, LOBE_INVERSE_PI)));
     }
     return lobe_roughness_with_peak(roughness, kernel, peak, 0.2, 0.41);
 }
@@ -118,7 +118,7 @@ fn lobe_roughness_with_peak(
     roughness: LobeRoughness, kernel: LobePsd, peak: f32, least: f32, most: f32
 ) -> LobeRoughness {
     let psd = roughness.psd;
-    let root_det = lobe_full_new(roughness).root_det;
+    let root_det = lobe_anisotropic_new(roughness).root_det;
     let proxy = lobe_proxy_of(psd, kernel);
     var factor = 0.0;
     if proxy.known {
@@ -129,5 +129,5 @@ fn lobe_roughness_with_peak(
         );
     }
     let bounded = select(least, lobe_min(lobe_max(factor, least), most), peak > 0.0);
-    return LobeRoughness(lobe_psd_plus(psd, lobe_psd_scaled(kernel, bounded)));
+    return LobeRoughness(lobe_psd_add(psd, lobe_psd_mul(kernel, bounded)));
 }

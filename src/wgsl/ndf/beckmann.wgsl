@@ -39,8 +39,8 @@ fn lobe_beckmann_brdf(at: LobePair) -> f32 {
     return lobe_brdf_at(lobe_beckmann_density(at.form, at.root_det, at.z, at.length_squared, weight), at);
 }
 
-// Rust: `Ndf::unshadowed`, of a shape's answers at a pair of directions. 0 for NaN.
-fn lobe_beckmann_unshadowed(at: LobePair) -> f32 {
+// Rust: `Ndf::unshadowed_brdf_cos`, of a shape's answers at a pair of directions. 0 for NaN.
+fn lobe_beckmann_unshadowed_brdf_cos(at: LobePair) -> f32 {
     let area = lobe_beckmann_projected_area(at.wo);
     let weight = 0.25 * LOBE_INVERSE_PI / area;
     return lobe_unshadowed_at(lobe_beckmann_density(at.form, at.root_det, at.z, at.length_squared, weight), area, at);

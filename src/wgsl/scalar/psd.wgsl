@@ -100,19 +100,6 @@ fn lobe_psd_is_singular(m: LobePsd) -> bool {
     return !(least >= LOBE_MIN_POSITIVE);
 }
 
-// Rust: `Psd::scaled`.
-fn lobe_psd_scaled(m: LobePsd, factor: f32) -> LobePsd {
-    let f = lobe_below_infinity(lobe_max(factor, 0.0));
-    return LobePsd(m.xx * f, m.xy * f, m.yy * f, m.root_det * f);
-}
-
-// Rust: `Psd::plus`.
-fn lobe_psd_plus(a: LobePsd, b: LobePsd) -> LobePsd {
-    let det = lobe_psd_det(a) + lobe_psd_mixed_det(a, b) + lobe_psd_det(b);
-    // A root of infinity by a reciprocal estimate is NaN.
-    return LobePsd(a.xx + b.xx, a.xy + b.xy, a.yy + b.yy, sqrt(lobe_below_infinity(det)));
-}
-
 // Rust: `Psd::mixed_det`.
 fn lobe_psd_mixed_det(a: LobePsd, b: LobePsd) -> f32 {
     let u = lobe_difference_of_products(a.xx, b.xy, a.xy, b.xx);
@@ -161,6 +148,19 @@ fn lobe_psd_capped(m: LobePsd, limit: f32) -> LobePsd {
         return m;
     }
     return lobe_psd_from_axes(sqrt(cap), sqrt(lobe_min(eigen.minor, cap)), eigen.axis.x, eigen.axis.y);
+}
+
+// Rust: `Psd::mul`.
+fn lobe_psd_mul(m: LobePsd, factor: f32) -> LobePsd {
+    let f = lobe_below_infinity(lobe_max(factor, 0.0));
+    return LobePsd(m.xx * f, m.xy * f, m.yy * f, m.root_det * f);
+}
+
+// Rust: `Psd::add`.
+fn lobe_psd_add(a: LobePsd, b: LobePsd) -> LobePsd {
+    let det = lobe_psd_det(a) + lobe_psd_mixed_det(a, b) + lobe_psd_det(b);
+    // A root of infinity by a reciprocal estimate is NaN.
+    return LobePsd(a.xx + b.xx, a.xy + b.xy, a.yy + b.yy, sqrt(lobe_below_infinity(det)));
 }
 
 // Rust: `principal`: the larger eigenvalue, and its unit vector.

@@ -68,29 +68,29 @@ fn lobe_finite(x: f32) -> f32 {
     return bitcast<f32>((bitcast<u32>(x) & 0x80000000u) | size);
 }
 
-// Rust: `Real::upper_half`.
+// Rust: `Internal::upper_half`.
 fn lobe_upper_half(x: f32) -> f32 {
     return bitcast<f32>(bitcast<u32>(x) & 0xfffff000u);
 }
 
-// Rust: `Real::floor`. Casts of what an integer does not hold are the driver's: the bound comes before.
+// Rust: `Internal::floor`. Casts of what an integer does not hold are the driver's: the bound comes before.
 fn lobe_floor(x: f32) -> i32 {
     let bounded = lobe_within(x, 1073741824.0);
     let cut = i32(bounded);
     return cut - select(0, 1, f32(cut) > bounded);
 }
 
-// Rust: `Real::exponent`.
+// Rust: `Internal::exponent`.
 fn lobe_exponent(x: f32) -> i32 {
     return i32(bitcast<u32>(x) >> 23u) - 127;
 }
 
-// Rust: `Real::power_of_two`.
+// Rust: `Internal::power_of_two`.
 fn lobe_power_of_two(k: i32) -> f32 {
     return bitcast<f32>(u32(k + 127) << 23u);
 }
 
-// Rust: `Real::kept`. No compiler knows that no sum has the one pattern of bits that this changes, so none folds
+// Rust: `Internal::kept`. No compiler knows that no sum has the one pattern of bits that this changes, so none folds
 // (a + b) - a, fuses a * b + c, factors a * b + a * c or takes (a / b) * (c / d) as one quotient. The minimum is of integers: a select between floats would let literals through.
 fn lobe_kept(x: f32) -> f32 {
     return bitcast<f32>(min(bitcast<u32>(x), 0xfffffffeu));

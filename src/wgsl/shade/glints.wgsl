@@ -1,24 +1,24 @@
 // One call per light for glints: BRDF, reflectance and the light's cosine. Rust: src/shade/glints.rs.
 
 // Rust: `GlintShading::evaluate`, with the reflectance at `lobe_half_cosine`. 0 for NaN.
-fn lobe_glint_evaluate(lobe: LobeGlintLobe, wo: vec3f, wi: vec3f, radius: f32, reflectance: vec3f) -> vec3f {
-    let brdf = lobe_glint_lobe_brdf(lobe, wo, wi, radius);
-    return lobe_shade_colour(lobe_shape(lobe_glint_lobe_lobe(lobe)), brdf, wi, reflectance);
+fn lobe_glint_evaluate(lobe: LobeGlintNdf, wo: vec3f, wi: vec3f, radius: f32, reflectance: vec3f) -> vec3f {
+    let brdf = lobe_glint_ndf_brdf(lobe, wo, wi, radius);
+    return lobe_shade_color(lobe_lobe_shape(lobe_glint_ndf_smooth_lobe(lobe)), brdf, wi, reflectance);
 }
 
-// Rust: `GlintShading::evaluate_coloured`, with the hue wheel and the reflectance at `lobe_half_cosine`. 0 for NaN.
-fn lobe_glint_evaluate_coloured(
-    lobe: LobeGlintLobe, wo: vec3f, wi: vec3f, radius: f32, reflectance: vec3f
+// Rust: `GlintShading::evaluate_colored`, with the hue wheel and the reflectance at `lobe_half_cosine`. 0 for NaN.
+fn lobe_glint_evaluate_colored(
+    lobe: LobeGlintNdf, wo: vec3f, wi: vec3f, radius: f32, reflectance: vec3f
 ) -> vec3f {
-    let shape = lobe_shape(lobe_glint_lobe_lobe(lobe));
-    let colour = lobe_shade_colour(shape, lobe_beckmann_brdf(lobe_tilted_pair(shape, wo, wi)), wi, reflectance);
-    if !(colour.x > 0.0 || colour.y > 0.0 || colour.z > 0.0) {
-        return colour;
+    let shape = lobe_lobe_shape(lobe_glint_ndf_smooth_lobe(lobe));
+    let color = lobe_shade_color(shape, lobe_beckmann_brdf(lobe_non_centered_pair(shape, wo, wi)), wi, reflectance);
+    if !(color.x > 0.0 || color.y > 0.0 || color.z > 0.0) {
+        return color;
     }
     let sparkle =
-        lobe_glint_lobe_coloured_sparkle(lobe, lobe_half_vector(wo, wi), lobe_light_blur(wo, wi, radius));
+        lobe_glint_ndf_colored_sparkle(lobe, lobe_half_vector(wo, wi), lobe_light_blur(wo, wi, radius));
     return vec3f(
-        lobe_below_infinity(lobe_defined(colour.x * sparkle.x)), lobe_below_infinity(lobe_defined(colour.y * sparkle.y)),
-        lobe_below_infinity(lobe_defined(colour.z * sparkle.z))
+        lobe_below_infinity(lobe_defined(color.x * sparkle.x)), lobe_below_infinity(lobe_defined(color.y * sparkle.y)),
+        lobe_below_infinity(lobe_defined(color.z * sparkle.z))
     );
 }

@@ -1,11 +1,11 @@
 // One call per light for many lobes: BRDF, reflectance and the light's cosine. Rust: src/shade/multilobe.rs.
 
 // Rust: `MultiLobeShading::evaluate`, with the reflectance at `lobe_half_cosine`. 0 for NaN.
-fn lobe_patch_lobe_evaluate(
-    lobe: LobePatchLobe, frame: LobeMeanFrame, wo: vec3f, wi: vec3f, reflectance: vec3f
+fn lobe_patch_ndf_evaluate(
+    lobe: LobePatchNdf, frame: LobeMeanFrame, wo: vec3f, wi: vec3f, reflectance: vec3f
 ) -> vec3f {
     let local = lobe_mean_frame_to_local(frame, wi);
-    let brdf = lobe_patch_lobe_brdf(lobe, lobe_mean_frame_to_local(frame, wo), local);
+    let brdf = lobe_patch_ndf_brdf(lobe, lobe_mean_frame_to_local(frame, wo), local);
     let area = lobe_max(local.z, 0.0);
     return vec3f(
         lobe_shade_channel(reflectance.x, brdf, area), lobe_shade_channel(reflectance.y, brdf, area),

@@ -24,7 +24,7 @@ fn lobe_footprint_rectangle(widths: vec2f) -> LobeFootprint {
 // Rust: `Footprint::from_disk`. 0 for NaN.
 fn lobe_footprint_from_disk(h: vec3f, u: vec2f, v: vec2f) -> LobeFootprint {
     let jacobian = lobe_disk_to_slope(vec3f(h.x, h.y, lobe_max(h.z, 1.0 / LOBE_LARGEST)));
-    return LobeFootprint(lobe_apply(jacobian, u), lobe_apply(jacobian, v));
+    return LobeFootprint(lobe_jacobian_apply(jacobian, u), lobe_jacobian_apply(jacobian, v));
 }
 
 // Rust: `Footprint::from_disk_narrowed`.
@@ -58,7 +58,7 @@ fn lobe_footprint_if(wanted: bool, u: vec2f, v: vec2f) -> LobeFootprint {
 
 // Rust: `Footprint::from_positions`. 0 for NaN.
 fn lobe_footprint_from_positions(slope_jacobian: mat2x2f, u: vec2f, v: vec2f) -> LobeFootprint {
-    return LobeFootprint(lobe_apply(slope_jacobian, u), lobe_apply(slope_jacobian, v));
+    return LobeFootprint(lobe_jacobian_apply(slope_jacobian, u), lobe_jacobian_apply(slope_jacobian, v));
 }
 
 // Rust: `Footprint::extents`.
@@ -96,8 +96,8 @@ fn lobe_footprint_length(x: f32, y: f32) -> f32 {
     return scale * sqrt(p * p + q * q);
 }
 
-// Rust: `Footprint::rescaled`. 0 for NaN; sides beyond 1e30 count as shorter.
-fn lobe_footprint_rescaled(sides: LobeFootprint, limit: f32) -> LobeFootprint {
+// Rust: `Footprint::capped`. 0 for NaN; sides beyond 1e30 count as shorter.
+fn lobe_footprint_capped(sides: LobeFootprint, limit: f32) -> LobeFootprint {
     var footprint = sides;
     if !(lobe_footprint_largest_component(sides) <= 1e30) {
         footprint = lobe_footprint_bounded(sides);
@@ -142,23 +142,23 @@ fn lobe_footprint_shrunk(x: f32, largest: f32) -> f32 {
     return lobe_kept(lobe_finite(x) / largest) * LOBE_LARGEST;
 }
 
-// Rust: `Footprint::scaled`. 0 for NaN.
-fn lobe_footprint_scaled(footprint: LobeFootprint, factor: f32) -> LobeFootprint {
+// Rust: `Footprint::area`. 0 for NaN.
+fn lobe_footprint_area(footprint: LobeFootprint) -> f32 {
+    return lobe_defined(abs(lobe_cross(footprint.u, footprint.v)));
+}
+
+// Rust: `Footprint::mul`. 0 for NaN.
+fn lobe_footprint_mul(footprint: LobeFootprint, factor: f32) -> LobeFootprint {
     let u = footprint.u;
     let v = footprint.v;
     return lobe_footprint_from_slopes(vec2f(u.x * factor, u.y * factor), vec2f(v.x * factor, v.y * factor));
 }
 
-// Rust: `Footprint::against`. 0 for NaN.
-fn lobe_footprint_against(footprint: LobeFootprint, mean_u: vec2f, mean_v: vec2f) -> LobeFootprint {
+// Rust: `Footprint::sub`. 0 for NaN.
+fn lobe_footprint_sub(footprint: LobeFootprint, mean_u: vec2f, mean_v: vec2f) -> LobeFootprint {
     let u = footprint.u;
     let v = footprint.v;
     return lobe_footprint_from_slopes(
         vec2f(u.x - mean_u.x, u.y - mean_u.y), vec2f(v.x - mean_v.x, v.y - mean_v.y)
     );
-}
-
-// Rust: `Footprint::area`. 0 for NaN.
-fn lobe_footprint_area(footprint: LobeFootprint) -> f32 {
-    return lobe_defined(abs(lobe_cross(footprint.u, footprint.v)));
 }

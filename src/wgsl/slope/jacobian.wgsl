@@ -44,6 +44,6 @@ fn lobe_reflection_per_normal(wm: vec3f, wo: vec3f) -> f32 {
 }
 
 // Rust: `apply`. 0 for NaN.
-fn lobe_apply(m: mat2x2f, v: vec2f) -> vec2f {
+fn lobe_jacobian_apply(m: mat2x2f, v: vec2f) -> vec2f {
     return vec2f(lobe_defined(m[0][0] * v.x + m[1][0] * v.y), lobe_defined(m[0][1] * v.x + m[1][1] * v.y));
 }

@@ -42,6 +42,6 @@ fn lobe_mean_frame_jacobian(frame: LobeMeanFrame) -> mat2x2f {
 
 // Rust: `MeanFrame::moments`.
 fn lobe_mean_frame_moments(frame: LobeMeanFrame, moments: LobeSlopeMoments) -> LobeSlopeMoments {
-    let centred = LobeSlopeMoments(vec2f(0.0, 0.0), moments.covariance);
-    return lobe_slope_moments_transformed(centred, lobe_mean_frame_jacobian(frame));
+    let centered = LobeSlopeMoments(vec2f(0.0, 0.0), moments.covariance);
+    return lobe_slope_moments_transformed(centered, lobe_mean_frame_jacobian(frame));
 }

@@ -43,14 +43,14 @@ fn lobe_slope_moments_merged(
     let d = vec2f(other.mean.x - moments.mean.x, other.mean.y - moments.mean.y);
     let spread = sqrt(p * q);
     let between = lobe_psd_outer_sum(vec2f(d.x * spread, d.y * spread), vec2f(0.0, 0.0));
-    let within = lobe_psd_plus(lobe_psd_scaled(moments.covariance, p), lobe_psd_scaled(other.covariance, q));
+    let within = lobe_psd_add(lobe_psd_mul(moments.covariance, p), lobe_psd_mul(other.covariance, q));
     return LobeSlopeMoments(
-        vec2f(moments.mean.x + q * d.x, moments.mean.y + q * d.y), lobe_psd_plus(within, between)
+        vec2f(moments.mean.x + q * d.x, moments.mean.y + q * d.y), lobe_psd_add(within, between)
     );
 }
 
 // Rust: `SlopeMoments::lobe`.
-fn lobe_slope_moments_lobe(moments: LobeSlopeMoments, base: LobeRoughness) -> Lobe {
-    let roughness = lobe_roughness_plus(base, lobe_roughness_from_covariance(moments.covariance));
-    return Lobe(moments.mean, roughness);
+fn lobe_slope_moments_lobe(moments: LobeSlopeMoments, base: LobeRoughness) -> LobeLobe {
+    let roughness = lobe_roughness_add(base, lobe_roughness_from_covariance(moments.covariance));
+    return LobeLobe(moments.mean, roughness);
 }

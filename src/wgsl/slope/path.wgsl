@@ -47,7 +47,7 @@ fn lobe_path_plane_point(path: LobePath) -> vec2f {
     return select(vec2f(0.0, 0.0), vec2f(lobe_defined(g.x / g.z), lobe_defined(g.y / g.z)), g.z > 0.0);
 }
 
-// Rust: `Path::half`.
+// Rust: `Path::half_vector`.
 fn lobe_path_half_vector(path: LobePath) -> vec3f {
     let wo = path.eye.direction;
     let wi = path.light.direction;

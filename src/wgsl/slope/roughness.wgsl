@@ -7,8 +7,8 @@ struct LobeRoughness {
 
 // Rust: `Alphas`.
 struct LobeAlphas {
-    x: f32,
-    y: f32,
+    major: f32,
+    minor: f32,
     angle: f32,
 }
 
@@ -31,7 +31,7 @@ fn lobe_roughness_from_matrix(psd: LobePsd) -> LobeRoughness {
 
 // Rust: `Roughness::from_covariance`.
 fn lobe_roughness_from_covariance(covariance: LobePsd) -> LobeRoughness {
-    return LobeRoughness(lobe_psd_scaled(covariance, 2.0));
+    return LobeRoughness(lobe_psd_mul(covariance, 2.0));
 }
 
 // Rust: `Roughness::from_sigma_rho`. Numbers outside their ranges count as the nearest, NaN as 0.
@@ -44,7 +44,7 @@ fn lobe_roughness_from_sigma_rho(sigma_x: f32, sigma_y: f32, rho: f32) -> LobeRo
 
 // Rust: `Roughness::covariance`.
 fn lobe_roughness_covariance(roughness: LobeRoughness) -> LobePsd {
-    return lobe_psd_scaled(roughness.psd, 0.5);
+    return lobe_psd_mul(roughness.psd, 0.5);
 }
 
 // Rust: `Roughness::alphas`.
@@ -53,11 +53,6 @@ fn lobe_roughness_alphas(roughness: LobeRoughness) -> LobeAlphas {
     let turn = eigen.axis;
     let angle = select(lobe_atan(turn.y / turn.x), 0.5 * LOBE_PI, turn.x == 0.0);
     return LobeAlphas(sqrt(eigen.major), sqrt(eigen.minor), angle);
-}
-
-// Rust: `Roughness::plus`.
-fn lobe_roughness_plus(a: LobeRoughness, b: LobeRoughness) -> LobeRoughness {
-    return LobeRoughness(lobe_psd_plus(a.psd, b.psd));
 }
 
 // Rust: `Roughness::chermain_matrix`. Columns first; 0 for NaN.
@@ -72,4 +67,9 @@ fn lobe_roughness_chermain_matrix(roughness: LobeRoughness, sigma_o: f32) -> mat
         lobe_defined(covariance.root_det / sigma_y * inverse), 0.0,
         lobe_defined(covariance.xy / sigma_y * inverse), lobe_defined(sigma_y * inverse)
     );
+}
+
+// Rust: `Roughness::add`.
+fn lobe_roughness_add(a: LobeRoughness, b: LobeRoughness) -> LobeRoughness {
+    return LobeRoughness(lobe_psd_add(a.psd, b.psd));
 }

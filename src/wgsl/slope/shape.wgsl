@@ -1,6 +1,6 @@
 // Four questions about a lobe, and the shapes that answer them. Rust: src/slope/shape.rs.
-// Generic functions of Rust are split in two here: a shape answers (`lobe_full_normal`, `_view`, `_pair`), and a
-// distribution makes a density, a masking term or a BRDF of the answers (`lobe_ggx_d(lobe_full_normal(...))`).
+// Generic functions of Rust are split in two here: a shape answers (`lobe_anisotropic_normal`, `_view`, `_pair`), and a
+// distribution makes a density, a masking term or a BRDF of the answers (`lobe_ggx_d(lobe_anisotropic_normal(...))`).
 
 // WGSL only: what a density asks of a shape at one normal.
 struct LobeNormal {
@@ -149,8 +149,8 @@ fn lobe_axis_aligned_pair(shape: LobeAxisAligned, wo: vec3f, wi: vec3f) -> LobeP
     );
 }
 
-// Rust: `Full`.
-struct LobeFull {
+// Rust: `Anisotropic`.
+struct LobeAnisotropic {
     xx: f32,
     xy: f32,
     root_det: f32,
@@ -160,15 +160,15 @@ struct LobeFull {
     schur: f32,
 }
 
-// Rust: `Full::new`.
-fn lobe_full_new(roughness: LobeRoughness) -> LobeFull {
+// Rust: `Anisotropic::new`.
+fn lobe_anisotropic_new(roughness: LobeRoughness) -> LobeAnisotropic {
     let psd = roughness.psd;
     let xx = psd.xx;
     let root_det = select(psd.root_det, 0.0, lobe_psd_is_singular(psd));
     let flat = xx < LOBE_MIN_POSITIVE;
     let inverse = 1.0 / lobe_max(xx, LOBE_MIN_POSITIVE);
     let along = root_det * inverse;
-    return LobeFull(
+    return LobeAnisotropic(
         xx,
         psd.xy,
         root_det,
@@ -179,16 +179,16 @@ fn lobe_full_new(roughness: LobeRoughness) -> LobeFull {
     );
 }
 
-// Rust: `Full::form`. The largest number for NaN.
-fn lobe_full_form(shape: LobeFull, m: vec3f, m_low: vec3f) -> f32 {
+// Rust: `Anisotropic::form`. The largest number for NaN.
+fn lobe_anisotropic_form(shape: LobeAnisotropic, m: vec3f, m_low: vec3f) -> f32 {
     let low = shape.xx * m_low.y - shape.xy * m_low.x;
     let u = lobe_difference_of_products(shape.xx, m.y, shape.xy, m.x) + low;
     let t = u * shape.inverse_xx;
     return lobe_far(m.x * m.x * shape.along + t * t * shape.across);
 }
 
-// Rust: `Full::whiten`. 0 for NaN.
-fn lobe_full_whiten(shape: LobeFull, v: vec2f, v_low: vec2f) -> vec2f {
+// Rust: `Anisotropic::whiten`. 0 for NaN.
+fn lobe_anisotropic_whiten(shape: LobeAnisotropic, v: vec2f, v_low: vec2f) -> vec2f {
     let low = shape.xx * v_low.y - shape.xy * v_low.x;
     let u = lobe_difference_of_products(shape.xx, v.y, shape.xy, v.x) + low;
     let diagonal = sqrt(shape.xx);
@@ -197,8 +197,8 @@ fn lobe_full_whiten(shape: LobeFull, v: vec2f, v_low: vec2f) -> vec2f {
     );
 }
 
-// Rust: `Full::major`: the unit vector, then alpha. Along x for NaN.
-fn lobe_full_major(shape: LobeFull) -> vec3f {
+// Rust: `Anisotropic::major`: the unit vector, then alpha. Along x for NaN.
+fn lobe_anisotropic_major(shape: LobeAnisotropic) -> vec3f {
     let yy = lobe_defined(shape.xy * (shape.xy * shape.inverse_xx) + shape.schur);
     let swap = yy > shape.xx;
     let large = select(shape.xx, yy, swap);
@@ -210,27 +210,27 @@ fn lobe_full_major(shape: LobeFull) -> vec3f {
     return select(vec3f(inverse, across, alpha), vec3f(across, inverse, alpha), swap);
 }
 
-// Rust: `Full::stretch_squared`. 0 for NaN.
-fn lobe_full_stretch_squared(shape: LobeFull, w: vec3f) -> f32 {
+// Rust: `Anisotropic::stretch_squared`. 0 for NaN.
+fn lobe_anisotropic_stretch_squared(shape: LobeAnisotropic, w: vec3f) -> f32 {
     let u = lobe_sum_of_products(shape.xx, w.x, shape.xy, w.y);
     return lobe_defined(u * (u * shape.inverse_xx) + shape.schur * w.y * w.y);
 }
 
 // WGSL only: its answers at a normal.
-fn lobe_full_normal(shape: LobeFull, m: vec3f) -> LobeNormal {
-    return LobeNormal(lobe_full_form(shape, m, vec3f(0.0, 0.0, 0.0)), shape.root_det, lobe_defined(m.z));
+fn lobe_anisotropic_normal(shape: LobeAnisotropic, m: vec3f) -> LobeNormal {
+    return LobeNormal(lobe_anisotropic_form(shape, m, vec3f(0.0, 0.0, 0.0)), shape.root_det, lobe_defined(m.z));
 }
 
 // WGSL only: its answers at a direction.
-fn lobe_full_view(shape: LobeFull, w: vec3f) -> LobeView {
-    return lobe_view_of(w, w.z, lobe_full_stretch_squared(shape, w));
+fn lobe_anisotropic_view(shape: LobeAnisotropic, w: vec3f) -> LobeView {
+    return lobe_view_of(w, w.z, lobe_anisotropic_stretch_squared(shape, w));
 }
 
 // WGSL only: its answers at a pair of directions.
-fn lobe_full_pair(shape: LobeFull, wo: vec3f, wi: vec3f) -> LobePair {
+fn lobe_anisotropic_pair(shape: LobeAnisotropic, wo: vec3f, wi: vec3f) -> LobePair {
     let half = lobe_half_sum(wo, wi);
-    let form = lobe_full_form(shape, half.high, half.low);
+    let form = lobe_anisotropic_form(shape, half.high, half.low);
     return lobe_pair_of(
-        half.high, form, shape.root_det, lobe_full_view(shape, wo), lobe_full_view(shape, wi), lobe_min(wo.z, wi.z)
+        half.high, form, shape.root_det, lobe_anisotropic_view(shape, wo), lobe_anisotropic_view(shape, wi), lobe_min(wo.z, wi.z)
     );
 }

@@ -41,7 +41,7 @@ impl<'a> Bytes<'a> {
         self.between(low.ln(), high.ln()).exp().clamp(low, high)
     }
 
-    /// Any number at all: the tag byte favours the awkward ones.
+    /// Any number at all: the tag byte favors the awkward ones.
     pub(crate) fn number<R: Real>(&mut self) -> R {
         match self.byte() % 24 {
             0 => R::ZERO,

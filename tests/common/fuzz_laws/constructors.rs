@@ -4,8 +4,8 @@ use super::bytes::Bytes;
 use super::{valid, widenings};
 use lobe::filter::tokuyoshi_deferred_alpha;
 use lobe::{
-    AxisAligned, Footprint, Isotropic, Kernel, Lobe, PixelFilter, Psd, Real, Roughness,
-    SlopeMoments, Tilted, Vertex,
+    AxisAligned, Footprint, Isotropic, Kernel, Lobe, NonCentered, PixelFilter, Psd, Real,
+    Roughness, SlopeMoments, Vertex,
 };
 
 /// The law: one constructor on one set of arguments, in one precision.
@@ -97,7 +97,7 @@ fn alphas<R: Real>(input: &mut Bytes) {
     match Roughness::from_alphas(x, y, angle) {
         Ok(value) => {
             let back = value.alphas();
-            let same = close(back.x, x.max(y)) && close(back.y, x.min(y));
+            let same = close(back.major, x.max(y)) && close(back.minor, x.min(y));
             assert!(same || !known, "{back:?} from ({x}, {y}) at {angle}");
         }
         Err(error) => assert!(!known || !angle.is_finite(), "{error} for ({x}, {y}) at {angle}"),
@@ -105,7 +105,7 @@ fn alphas<R: Real>(input: &mut Bytes) {
     match Roughness::from_alpha(x) {
         Ok(value) => {
             let back = value.alphas();
-            let same = close(back.x, x) && close(back.y, x) && back.angle == R::ZERO;
+            let same = close(back.major, x) && close(back.minor, x) && back.angle == R::ZERO;
             assert!(same || !valid::in_domain(x), "{back:?} from {x}");
         }
         Err(error) => assert!(!valid::in_domain(x), "{error} for {x}"),
@@ -114,18 +114,18 @@ fn alphas<R: Real>(input: &mut Bytes) {
 
 fn shapes<R: Real>(input: &mut Bytes) {
     let ([x, y], mean) = (input.pair::<R>(), input.pair::<R>());
-    let centred = mean.iter().all(|&m| valid::moderate(m));
+    let centered = mean.iter().all(|&m| valid::moderate(m));
     if let Ok(shape) = Isotropic::new(x) {
         valid::shape(shape, valid::in_domain(x), input, &x);
-        if let Ok(tilted) = Tilted::new(shape, mean) {
-            valid::shape(tilted, valid::in_domain(x) && centred, input, &(x, mean));
+        if let Ok(tilted) = NonCentered::new(shape, mean) {
+            valid::shape(tilted, valid::in_domain(x) && centered, input, &(x, mean));
         }
     }
     if let Ok(shape) = AxisAligned::new(x, y) {
         let known = valid::in_domain(x) && valid::in_domain(y);
         valid::shape(shape, known, input, &(x, y));
-        if let Ok(tilted) = Tilted::new(shape, mean) {
-            valid::shape(tilted, known && centred, input, &(x, y, mean));
+        if let Ok(tilted) = NonCentered::new(shape, mean) {
+            valid::shape(tilted, known && centered, input, &(x, y, mean));
         }
     }
 }
@@ -164,7 +164,7 @@ fn footprint<R: Real>(input: &mut Bytes) {
         assert!(diameter.is_finite(), "diameter {diameter} of {footprint:?}");
         let limit = input.number::<R>().abs();
         if limit >= R::ZERO {
-            let rescaled = footprint.rescaled(limit).diameter();
+            let rescaled = footprint.capped(limit).diameter();
             let slack = limit * R::lit(16.0) * R::EPSILON + R::MIN_POSITIVE;
             assert!(rescaled <= limit + slack, "{rescaled} of {footprint:?} limited to {limit}");
         }

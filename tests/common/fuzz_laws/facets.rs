@@ -2,8 +2,8 @@
 //! dictionary are refused.
 
 use super::bytes::Bytes;
-use lobe::material::glint::Patch;
-use lobe::material::multilobe::{Dictionary, MultiLobe, PatchLobe, Recipe};
+use lobe::material::cells::Patch;
+use lobe::material::multilobe::{Dictionary, MultiLobe, PatchNdf, Recipe};
 use lobe::slope::direction::normalize;
 use lobe::{Footprint, Kernel, PixelFilter, Psd, Real, Roughness, SlopeMoments};
 
@@ -63,7 +63,7 @@ fn any<R: Real>(input: &mut Bytes) {
     let patch = Patch::new(input.pair(), input.pair(), input.pair());
     let moments = SlopeMoments::new(input.pair(), covariance).unwrap_or_default();
     let footprint = Footprint::from_slopes(input.pair::<R>(), input.pair::<R>());
-    let pixel = facets.lobe(&dictionary, &patch).over(&moments);
+    let pixel = facets.ndf(&dictionary, &patch).over(&moments);
     let widened = pixel.widened(&Kernel::of(&footprint, PixelFilter::BOX));
     let published = pixel.with_mips(&footprint, R::HALF);
     let (wo, wi) = (normalize(input.triple::<R>()), normalize(input.triple::<R>()));
@@ -72,13 +72,13 @@ fn any<R: Real>(input: &mut Bytes) {
         seen(&pixel, wo, wi, input.pair());
     }
     sampled(&widened, wo, numbers);
-    let tiled = facets.lobe(&dictionary, &Patch { tile: input.tile(), ..patch }).over(&moments);
+    let tiled = facets.ndf(&dictionary, &Patch { tile: input.tile(), ..patch }).over(&moments);
     seen(&tiled, wo, wi, input.pair());
     sampled(&tiled, wo, numbers);
 }
 
 /// What is drawn by a pixel.
-fn sampled<R: Real>(pixel: &PatchLobe<'_, R>, wo: [R; 3], numbers: [R; 7]) {
+fn sampled<R: Real>(pixel: &PatchNdf<'_, R>, wo: [R; 3], numbers: [R; 7]) {
     if let Some(drawn) = pixel.sample(wo, numbers) {
         number(drawn.pdf, &(pixel.exponent(), wo, numbers));
         number(drawn.weight, &(pixel.exponent(), wo, numbers));
@@ -87,7 +87,7 @@ fn sampled<R: Real>(pixel: &PatchLobe<'_, R>, wo: [R; 3], numbers: [R; 7]) {
 }
 
 /// What is asked of a pixel.
-fn seen<R: Real>(pixel: &PatchLobe<'_, R>, wo: [R; 3], wi: [R; 3], slope: [R; 2]) {
+fn seen<R: Real>(pixel: &PatchNdf<'_, R>, wo: [R; 3], wi: [R; 3], slope: [R; 2]) {
     number(pixel.slope_pdf(slope), &(slope, wo));
     number(pixel.d(wi), &wi);
     number(pixel.brdf(wo, wi), &(wo, wi));

@@ -1,7 +1,8 @@
 //! Glints: every number of a pixel is one, in range, whatever material, pixel, map, kernel, half vector and light.
 
 use super::bytes::Bytes;
-use lobe::material::glint::{Binomial, Biscale, Glints, Grid, Patch, Published, hue_wheel};
+use lobe::material::cells::Patch;
+use lobe::material::glint::{Binomial, Biscale, Glints, Grid, ZirrKaplanyan, hue_wheel};
 use lobe::slope::direction::normalize;
 use lobe::{Footprint, Kernel, PixelFilter, Psd, Real, Roughness, SlopeMoments};
 
@@ -37,7 +38,7 @@ fn any<R: Real>(input: &mut Bytes) {
     let density = input.number();
     let (h, blur) = (normalize(input.triple::<R>()), input.number::<R>());
     let whole = h.iter().all(|x| x.is_finite());
-    if let Ok(mut published) = Published::new(biscale, density) {
+    if let Ok(mut published) = ZirrKaplanyan::new(biscale, density) {
         published.variation = R::lit(input.between(0.0, 100.0));
         let (cosine, gamma) = (R::lit(input.between(0.0, 1.0)), R::lit(input.between(0.0, 1.0)));
         for patch in [patch, Patch { tile: [i32::MAX, i32::MIN], ..patch }] {
@@ -58,7 +59,7 @@ fn any<R: Real>(input: &mut Bytes) {
     let kernel = Kernel::of(&footprint, PixelFilter::BOX);
     let wi = normalize(input.triple::<R>());
     for patch in [patch, Patch { tile: input.tile(), ..patch }] {
-        let pixel = glints.lobe(&patch).over(&moments).widened(&kernel);
+        let pixel = glints.ndf(&patch).over(&moments).widened(&kernel);
         covered(&patch, pixel.grid());
         if whole {
             let from = (&glints, &patch, &moments, &footprint, h, blur);
@@ -68,7 +69,7 @@ fn any<R: Real>(input: &mut Bytes) {
             number(pixel.sparkle(h, blur), &from);
             number(pixel.slope_pdf(h, blur), &from);
             number(pixel.brdf(h, wi, blur), &from);
-            for channel in pixel.coloured_sparkle(h, blur, hue_wheel) {
+            for channel in pixel.colored_sparkle(h, blur, hue_wheel) {
                 number(channel, &from);
             }
         }

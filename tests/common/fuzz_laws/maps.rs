@@ -4,7 +4,7 @@
 use super::bytes::Bytes;
 use super::valid;
 use lobe::material::Fresnel;
-use lobe::material::leadr::{Grid, Leadr, Normalisation, Shadowing};
+use lobe::material::leadr::{Leadr, Normalization, Quadrature, Shadowing};
 use lobe::material::lean::{
     Border, Float16, Float32, MomentMap, NormalTexel, SlopeCap, Storage, Unorm16,
 };
@@ -84,11 +84,11 @@ fn moments<R: Real>(input: &mut Bytes) -> Option<SlopeMoments<R>> {
 fn layers<R: Real>(input: &mut Bytes) {
     let (Some(one), Some(other)) = (moments::<R>(input), moments::<R>(input)) else { return };
     let from = (one, other);
-    valid_moments(&one.plus(&other), &from);
+    valid_moments(&(one + other), &from);
     let matrix = [input.pair(), input.pair()];
     valid_moments(&one.plus_correlated(&other, matrix), &(from, matrix));
     let factor = input.number();
-    valid_moments(&one.scaled(factor), &(one, factor));
+    valid_moments(&(one * factor), &(one, factor));
     valid_moments(&one.transformed(matrix), &(one, matrix));
     if let Ok(tilted) = one.tilted(input.pair()) {
         valid_moments(&tilted, &one);
@@ -126,22 +126,22 @@ fn relief<R: Real>(input: &mut Bytes) {
     let wi = lobe::slope::direction::normalize(input.triple::<R>());
     let lobe = moments.lobe(lobe::Roughness::default());
     let alphas = lobe.roughness().alphas();
-    if !(valid::in_domain(alphas.x) && valid::in_domain(alphas.y)) {
+    if !(valid::in_domain(alphas.major) && valid::in_domain(alphas.minor)) {
         return;
     }
     let surface = Leadr::new(&lobe);
     let light = |_: [R; 3], _: R| [R::ONE; 3];
     for shadowing in [Shadowing::Both, Shadowing::MaskingOnly] {
-        let specular = surface.specular(wo, wi, shadowing);
+        let specular = surface.brdf_cos(wo, wi, shadowing);
         assert!(
             specular >= R::ZERO && specular.is_finite(),
             "{specular} of {lobe:?} {wo:?} {wi:?}"
         );
-        for normalisation in [Normalisation::Sum, Normalisation::ProjectedArea] {
-            let grid = Grid::<R, 3>::cells();
+        for normalization in [Normalization::Sum, Normalization::ProjectedArea] {
+            let grid = Quadrature::<R, 3>::cells();
             let white = Fresnel::white();
             let [lit, ..] =
-                surface.environment(wo, &grid, shadowing, normalisation, &white, &light);
+                surface.environment(wo, &grid, shadowing, normalization, &white, &light);
             assert!(lit >= R::ZERO && lit.is_finite(), "{lit} of {lobe:?} {wo:?}");
         }
     }

@@ -4,8 +4,8 @@ use super::bytes::Bytes;
 use core::fmt::Debug;
 use lobe::slope::direction::{normal_of, reflect};
 use lobe::{
-    AxisAligned, Beckmann, Distribution, Footprint, Full, Ggx, Isotropic, Ndf, Psd, Roughness,
-    Shape, Tilted,
+    Anisotropic, AxisAligned, Beckmann, Distribution, Footprint, Ggx, Isotropic, LobeShape, Ndf,
+    NonCentered, Psd, Roughness,
 };
 
 /// Relative errors allowed in f32.
@@ -39,12 +39,12 @@ pub(crate) fn precision(bytes: &[u8]) {
     let aligned = AxisAligned::new(alpha_x, alpha_y).expect(valid);
     scene.compare(aligned, AxisAligned::new(wide_x, wide_y).expect(valid));
     let [xx, xy, yy] = scene.matrix;
-    let full = Full::new(Roughness::from_matrix(Psd::new(xx, xy, yy).expect(valid)));
+    let full = Anisotropic::new(Roughness::from_matrix(Psd::new(xx, xy, yy).expect(valid)));
     let [xx, xy, yy] = scene.matrix.map(f64::from);
-    let wide_full = Full::new(Roughness::from_matrix(Psd::new(xx, xy, yy).expect(valid)));
+    let wide_full = Anisotropic::new(Roughness::from_matrix(Psd::new(xx, xy, yy).expect(valid)));
     scene.compare(full, wide_full);
-    let tilted = Tilted::new(full, scene.mean).expect(valid);
-    scene.compare(tilted, Tilted::new(wide_full, scene.mean.map(f64::from)).expect(valid));
+    let tilted = NonCentered::new(full, scene.mean).expect(valid);
+    scene.compare(tilted, NonCentered::new(wide_full, scene.mean.map(f64::from)).expect(valid));
 }
 
 impl Scene {
@@ -94,8 +94,8 @@ impl Scene {
 
     fn compare<S, W>(&self, single: S, wide: W)
     where
-        S: Shape<Scalar = f32> + Debug,
-        W: Shape<Scalar = f64>,
+        S: LobeShape<Scalar = f32> + Debug,
+        W: LobeShape<Scalar = f64>,
     {
         let ggx = (Ggx::new(single), Ggx::new(wide));
         self.evaluate(ggx.0, ggx.1, GGX, &("GGX", single));
@@ -110,8 +110,8 @@ impl Scene {
     fn evaluate<D, S, W>(&self, single: Ndf<D, S>, wide: Ndf<D, W>, limit: f64, of: &dyn Debug)
     where
         D: Distribution,
-        S: Shape<Scalar = f32>,
-        W: Shape<Scalar = f64>,
+        S: LobeShape<Scalar = f32>,
+        W: LobeShape<Scalar = f64>,
     {
         let (slope, wo, wi) = (self.slope, self.wo, self.wi);
         let (slope_w, wo_w, wi_w) = (slope.map(f64::from), wo.map(f64::from), wi.map(f64::from));

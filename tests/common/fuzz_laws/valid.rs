@@ -3,7 +3,7 @@
 use super::bytes::Bytes;
 use core::fmt::Debug;
 use lobe::{
-    Beckmann, Distribution, Ggx, Kernel, Lobe, Ndf, Psd, Real, Roughness, Shape, SlopeMoments,
+    Beckmann, Distribution, Ggx, Kernel, Lobe, LobeShape, Ndf, Psd, Real, Roughness, SlopeMoments,
 };
 
 /// Zero, or in the range of roughness that the library answers for.
@@ -51,7 +51,9 @@ pub(crate) fn roughness<R: Real>(value: &Roughness<R>, from: &dyn Debug) {
     if value.matrix().trace() <= R::lit(0.25) * R::MAX {
         let alphas = value.alphas();
         assert!(
-            alphas.x.is_finite() && alphas.y >= R::ZERO && alphas.angle.abs() <= R::HALF * R::PI,
+            alphas.major.is_finite()
+                && alphas.minor >= R::ZERO
+                && alphas.angle.abs() <= R::HALF * R::PI,
             "{alphas:?} of {value:?}, from {from:?}"
         );
     }
@@ -63,7 +65,8 @@ pub(crate) fn lobe<R: Real>(value: &Lobe<R>, input: &mut Bytes, from: &dyn Debug
     assert!(mean[0].is_finite() && mean[1].is_finite(), "{value:?} from {from:?}");
     roughness(&value.roughness(), from);
     let alphas = value.roughness().alphas();
-    let known = in_domain(alphas.x) && in_domain(alphas.y) && mean.iter().all(|&x| moderate(x));
+    let known =
+        in_domain(alphas.major) && in_domain(alphas.minor) && mean.iter().all(|&x| moderate(x));
     shape(value.shape(), known, input, &(value, from));
 }
 
@@ -91,7 +94,7 @@ pub(crate) fn kernel<R: Real>(value: &Kernel<R>, input: &mut Bytes, from: &dyn D
 
 /// Both distributions over a shape, at slopes and directions from the input. Never NaN and never
 /// negative; finite too if the shape is `known` to lie in the documented domain.
-pub(crate) fn shape<S: Shape>(shape: S, known: bool, input: &mut Bytes, from: &dyn Debug) {
+pub(crate) fn shape<S: LobeShape>(shape: S, known: bool, input: &mut Bytes, from: &dyn Debug) {
     let slope = [0; 2].map(|_| {
         let size = S::Scalar::lit(input.log_between(1e-9, 1e9));
         [size, -size, S::Scalar::ZERO][usize::from(input.byte() % 3)]
@@ -110,7 +113,7 @@ pub(crate) fn direction<R: Real>(input: &mut Bytes) -> [R; 3] {
     [radius * angle.cos(), radius * angle.sin(), z].map(R::lit)
 }
 
-fn distribution<D: Distribution, S: Shape>(
+fn distribution<D: Distribution, S: LobeShape>(
     ndf: Ndf<D, S>,
     slope: [S::Scalar; 2],
     wo: [S::Scalar; 3],

@@ -2,12 +2,12 @@
 
 use super::bytes::Bytes;
 use super::valid;
-use lobe::filter::preset::Engine;
+use lobe::filter::engine::Engine;
 use lobe::filter::{
     DiskKernel, SphericalGaussian, box_peak_alpha, gaussian_peak_alpha, projected_alpha,
 };
 use lobe::slope::Motion;
-use lobe::{Footprint, Full, Ggx, Kernel, PixelFilter, Real, Roughness};
+use lobe::{Anisotropic, Footprint, Ggx, Kernel, PixelFilter, Real, Roughness};
 
 /// One filter on a lobe in the documented domain.
 pub(super) fn widening<R: Real>(input: &mut Bytes) {
@@ -52,7 +52,7 @@ pub(super) fn light<R: Real>(input: &mut Bytes) {
         assert!(integral > R::ZERO && integral <= R::lit(12.6), "{integral} of {light:?}");
     }
     let motion = |input: &mut Bytes| Motion {
-        half: input.triple(),
+        half_vector: input.triple(),
         normal: input.pair(),
         spin: input.number::<R>(),
     };
@@ -93,7 +93,7 @@ pub(super) fn alphas<R: Real>(input: &mut Bytes) {
 pub(super) fn shaded<R: Real>(input: &mut Bytes) {
     let alpha = |input: &mut Bytes| R::lit(input.log_between(1e-9, 1e3));
     let base = Roughness::from_alphas(alpha(input), alpha(input), R::lit(input.between(-4.0, 4.0)));
-    let ggx = Ggx::new(Full::new(base.expect("in range")));
+    let ggx = Ggx::new(Anisotropic::new(base.expect("in range")));
     let (wo, wi) = (valid::direction::<R>(input), valid::direction::<R>(input));
     let footprint = Footprint::from_slopes(input.pair::<R>(), input.pair::<R>());
     let brdf = ggx.brdf_over(wo, wi, &footprint);

@@ -2,8 +2,8 @@
 
 use lobe::slope::{direction, jacobian};
 use lobe::{
-    AxisAligned, Beckmann, Distribution, Error, Footprint, Full, Ggx, Kernel, Lobe, Ndf, Path, Psd,
-    Real, Roughness, Tilted, Vertex, filter,
+    Anisotropic, AxisAligned, Beckmann, Distribution, Error, Footprint, Ggx, Kernel, Lobe, Ndf,
+    NonCentered, Path, Psd, Real, Roughness, Vertex, filter,
 };
 
 /// One table stem of the contract.
@@ -168,7 +168,7 @@ impl Quantity {
             },
             Formula::GgxGaussian => |x| {
                 let kernel = Kernel::from_covariance(Psd::new(x[2], x[3], x[4])?);
-                let lobe = Lobe::centred(roughness(&x[5..])?);
+                let lobe = Lobe::centered(roughness(&x[5..])?);
                 Ok(vec![filter::ggx_gaussian_mean(&lobe, [x[0], x[1]], &kernel)])
             },
             Formula::RectangleProxy => |x| Ok(vec![filter::box_peak_alpha(x[0], x[1])?]),
@@ -198,7 +198,10 @@ impl Quantity {
     }
 }
 
-fn slope_pdf<R: Real, D: Distribution>(ndf: &Ndf<D, Tilted<Full<R>>>, x: &[R]) -> Vec<R> {
+fn slope_pdf<R: Real, D: Distribution>(
+    ndf: &Ndf<D, NonCentered<Anisotropic<R>>>,
+    x: &[R],
+) -> Vec<R> {
     vec![ndf.slope_pdf([x[0], x[1]])]
 }
 
@@ -210,11 +213,11 @@ fn roughness<R: Real>(x: &[R]) -> Result<Roughness<R>, Error> {
     Ok(Roughness::from_matrix(Psd::new(x[0], x[1], x[2])?))
 }
 
-fn full<R: Real>(x: &[R]) -> Result<Full<R>, Error> {
-    Ok(Full::new(roughness(x)?))
+fn full<R: Real>(x: &[R]) -> Result<Anisotropic<R>, Error> {
+    Ok(Anisotropic::new(roughness(x)?))
 }
 
 /// From `mean_x, mean_y, a_xx, a_xy, a_yy`.
-fn lobe<R: Real>(x: &[R]) -> Result<Tilted<Full<R>>, Error> {
+fn lobe<R: Real>(x: &[R]) -> Result<NonCentered<Anisotropic<R>>, Error> {
     Ok(Lobe::new([x[0], x[1]], roughness(&x[2..])?)?.shape())
 }

@@ -39,8 +39,8 @@ const GAP: usize = 8;
 /// Every pixel is drawn as so many by so many.
 const ZOOM: usize = 2;
 
-/// Colours of differences from a thousandth to one, a decade apart.
-const COLOURS: [[f64; 3]; 4] =
+/// Colors of differences from a thousandth to one, a decade apart.
+const COLORS: [[f64; 3]; 4] =
     [[0.0, 0.0, 20.0], [120.0, 30.0, 130.0], [240.0, 110.0, 50.0], [255.0, 250.0, 160.0]];
 
 fn main() -> ExitCode {
@@ -95,8 +95,8 @@ fn shaded(stage: &Stage) -> Result<Vec<u8>, String> {
         pictures.push(picture.into_iter().map(f64::from).collect());
     }
     pictures.push(shot.exact.reference.clone());
-    let grey = |byte| [byte; 3];
-    let shown = pictures.iter().map(|x: &Vec<f64>| shot.shown(x).into_iter().map(grey).collect());
+    let gray = |byte| [byte; 3];
+    let shown = pictures.iter().map(|x: &Vec<f64>| shot.shown(x).into_iter().map(gray).collect());
     strip(shot.width, &shown.collect::<Vec<_>>())
 }
 
@@ -124,27 +124,27 @@ fn footprints(stage: &Stage) -> Result<Vec<u8>, String> {
         "Left sides, right areas: dark blue 0.001 and less, purple 0.01, orange 0.1, yellow 1 and more;",
     );
     print(
-        "grey where half vectors are below the horizon and both footprints zero, which counts as 0 above.",
+        "gray where half vectors are below the horizon and both footprints zero, which counts as 0 above.",
     );
-    let coloured = |values: &Vec<f64>| {
+    let colored = |values: &Vec<f64>| {
         let pixels = values.iter().zip(&shot.judged);
         let shown = |(&value, &judged)| match judged {
             false => [255; 3],
             true if value == 0.0 => [128; 3],
-            true => colour(value),
+            true => color(value),
         };
         pixels.map(shown).collect()
     };
-    strip(shot.width, &[coloured(&by_sides), coloured(&by_areas)])
+    strip(shot.width, &[colored(&by_sides), colored(&by_areas)])
 }
 
-/// Of [`COLOURS`], by the logarithm.
-fn colour(value: f64) -> [u8; 3] {
+/// Of [`COLORS`], by the logarithm.
+fn color(value: f64) -> [u8; 3] {
     let at = (value.max(1e-3).log10() + 3.0).min(2.999_999);
     // From 0 to 2: the cast only drops the fraction.
     #[allow(clippy::cast_sign_loss)]
     let decade = at as usize;
-    let (from, to) = (COLOURS[decade], COLOURS[decade + 1]);
+    let (from, to) = (COLORS[decade], COLORS[decade + 1]);
     #[allow(clippy::cast_sign_loss)]
     std::array::from_fn(|k| (from[k] + at.fract() * (to[k] - from[k])) as u8)
 }

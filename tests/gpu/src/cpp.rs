@@ -1,8 +1,8 @@
-//! The mirror as a program of the system's C++ compilers: WGSL through naga to Metal's language, and a header that
+//! The WGSL port as a program of the system's C++ compilers: WGSL through naga to Metal's language, and a header that
 //! stands in for Metal's standard library.
 //!
 //! Metal's compiler may assume that no number is NaN or infinite and take sums in any order, and so may those of HLSL.
-//! No such compiler runs here; `-ffast-math` allows a C++ compiler the same, and Clang shares its optimiser with Metal's.
+//! No such compiler runs here; `-ffast-math` allows a C++ compiler the same, and Clang shares its optimizer with Metal's.
 
 use std::fmt::Write as _;
 use std::hash::{DefaultHasher, Hash, Hasher};

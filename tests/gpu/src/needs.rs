@@ -1,4 +1,4 @@
-//! What a piece of WGSL needs of the mirror.
+//! What a piece of WGSL needs of the WGSL port.
 
 use lobe::wgsl::{Item, source};
 
@@ -6,7 +6,7 @@ use lobe::wgsl::{Item, source};
 ///
 /// ```
 /// let library = lobe_gpu::needed("let a = lobe_projected_alpha(0.1, 0.2);");
-/// assert!(library.contains("fn lobe_projected_alpha(") && !library.contains("fn lobe_psd_plus("));
+/// assert!(library.contains("fn lobe_projected_alpha(") && !library.contains("fn lobe_psd_add("));
 /// ```
 pub fn needed(text: &str) -> String {
     let words: Vec<&str> = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).collect();

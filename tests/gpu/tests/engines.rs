@@ -1,4 +1,4 @@
-//! The mirror in engines: its files through their linkers, its presets in the languages of others.
+//! The WGSL port in engines: its files through their linkers, its presets in the languages of others.
 
 use crate::entry::{Device, Entry, Shader, entry, names, parse};
 use crate::translate::{Language, Translation, translate};
@@ -19,7 +19,7 @@ fn requests() -> Vec<(&'static str, Vec<Item>)> {
     presets.chain(files.map(|item| (item.name(), vec![*item]))).step_by(size(3, 1)).collect()
 }
 
-/// Statements that bring the names of the mirror in a text: each begins with `start`, and ends with `end`.
+/// Statements that bring the names of the WGSL port in a text: each begins with `start`, and ends with `end`.
 fn imports(text: &str, start: &str, end: &str) -> String {
     let words: BTreeSet<&str> = text.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let lines = Module::ALL.iter().map(|module| {
@@ -39,7 +39,7 @@ fn functions(text: &str) -> BTreeSet<String> {
     module.functions.iter().filter_map(|(_, function)| function.name.clone()).collect()
 }
 
-/// What WESL's linker makes of an entry point beside all files of the mirror.
+/// What WESL's linker makes of an entry point beside all files of the WGSL port.
 fn linked(entry: &Entry, mangler: ManglerKind) -> Result<String, String> {
     let mut resolver = VirtualResolver::new();
     let place = |path: &str| -> ModulePath {
@@ -152,7 +152,7 @@ fn opinion(
         Language::Glsl => glslang(text, stage, &["-V", "-o", "/dev/null"]),
         Language::Glsl330 | Language::GlslEs | Language::GlslEs300 => glslang(text, stage, &[]),
         Language::Hlsl => {
-            // Legalising what it accepted takes glslang twenty times as long as accepting it.
+            // Legalizing what it accepted takes glslang twenty times as long as accepting it.
             let accept = ["-D", "-e", "main", "-V", "-o", "/dev/null", "-Od"];
             glslang(text, stage, &accept[..if is_long() { 6 } else { 7 }])
         }
@@ -160,7 +160,7 @@ fn opinion(
     }
 }
 
-/// Items of one text: glslang's time to legalise HLSL grows with its square, and for all items is a minute.
+/// Items of one text: glslang's time to legalize HLSL grows with its square, and for all items is a minute.
 const ITEMS: usize = 40;
 
 /// Every item in some text of many: those that take derivatives apart, so that others run in compute shaders. In a long run

@@ -1,4 +1,4 @@
-//! Every function of the mirror as compilers make it that assume numbers: no NaN, no infinity, sums in any order.
+//! Every function of the WGSL port as compilers make it that assume numbers: no NaN, no infinity, sums in any order.
 //!
 //! Metal's and Direct3D's compilers do so by default. Here naga writes Metal's language, and the system's C++ compilers
 //! build it with `-ffast-math` (see [`lobe_gpu::cpp`]): a guard that waits for a NaN or an infinity does not fire there,
@@ -112,7 +112,7 @@ fn within(twin: &Twin, floats: &[f32], answers: [&[f32]; 2]) -> Result<(), Strin
     let (mut off, mut worst, mut first) = (0, 0.0_f64, None);
     for (item, [_, fast]) in items(twin, floats, answers) {
         let want = twin.rounded(item);
-        // A branch that hands an argument on has no scale; its neighbour rounds.
+        // A branch that hands an argument on has no scale; its neighbor rounds.
         let scale = |want: &Rounded| {
             want.bound().max(f64::from(want.value().abs()) * 0.5 * f64::from(f32::EPSILON))
         };

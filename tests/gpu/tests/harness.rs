@@ -8,7 +8,7 @@ use lobe_gpu::{Driver, Gpu, Job, Mode, Painter, exact, timing, tools};
 /// Items of the comparisons with Rust.
 const COUNT: usize = 100_000;
 
-/// The mirror's own, under a short name.
+/// The WGSL port's own, under a short name.
 fn kept() -> String {
     source(&[Item::ScalarReal]) + "\nfn kept(x: f32) -> f32 { return lobe_kept(x); }\n"
 }

@@ -1,4 +1,4 @@
-//! The mirror on Vulkan drivers and in engines' linkers: one binary, so that wgpu is linked once.
+//! The WGSL port on Vulkan drivers and in engines' linkers: one binary, so that wgpu is linked once.
 
 #[allow(dead_code, reason = "shared with the example wgsl")]
 #[path = "../../../examples/wgsl/entry.rs"]
@@ -14,5 +14,5 @@ mod dictionary;
 mod engines;
 mod fast_math;
 mod harness;
-mod mirror;
 mod render;
+mod twins;

@@ -13,7 +13,8 @@ use drawn::{
     DEFERRED, DIFFERENCE, DISK, MATRIX, PATCH, PLAIN_QUAD, QUAD, SHADED, Spread, Stage, sides,
 };
 use lobe::filter::{DiskKernel, tokuyoshi_kaplanyan_deferred_alpha};
-use lobe::material::glint::{Grid, Patch};
+use lobe::material::cells::Patch;
+use lobe::material::glint::Grid;
 use lobe::slope::direction::slope_of;
 use lobe::{Kernel, PixelFilter};
 use lobe_gpu::Gpu;

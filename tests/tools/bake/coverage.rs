@@ -88,7 +88,7 @@ fn texels_outside_of_islands_count_for_nothing() {
 }
 
 #[test]
-fn a_transparent_colour_is_coverage_too() {
+fn a_transparent_color_is_coverage_too() {
     let folder = folder("key");
     let (input, out) = (folder.join("normal.png"), folder.join("moments"));
     let texels = island(255);
@@ -116,7 +116,7 @@ fn clipping_is_told_with_what_may_have_caused_it() {
                  alpha is 0 in 33.3 % of all texels, which --coverage leaves out";
     assert_eq!(warnings[0], first);
     assert_eq!(warned(&input, &out, &["--coverage"]).1, [""; 0]);
-    // Islands on white, whose slope no cap shortens, and on the neutral colour: alpha that looks like a mask is told of,
+    // Islands on white, whose slope no cap shortens, and on the neutral color: alpha that looks like a mask is told of,
     // alpha that has all values is not.
     for around in [255, 128] {
         let island = |k: u32, clear: u8| {

@@ -64,13 +64,13 @@ fn files_of_other_tools_are_the_same_map() {
         whole(&[none.clone(), data.clone(), none]),
         whole(&cut(&pixels(), 4)),
         whole(&cut(&pixels(), 2)),
-        // Colour spaces and notes, which are not about normals; a private chunk.
+        // Color spaces and notes, which are not about normals; a private chunk.
         whole(&[(b"sRGB", vec![0]), gamma, data.clone(), (b"tEXt", b"Software\0any".to_vec())]),
         whole(&[profile, (b"pHYs", vec![0; 9]), data.clone(), (b"eXIf", b"MM\0*".to_vec())]),
         whole(&[(b"prVt", vec![7; 99]), data.clone()]),
         // Animations: of one frame beside the still picture.
         whole(&[animation(), data.clone(), control, further]),
-        // A transparent colour that no texel has; alpha that is opaque.
+        // A transparent color that no texel has; alpha that is opaque.
         whole(&[(b"tRNS", key), data]),
         picture(SIZE, ColorType::Rgba, BitDepth::Eight, &opaque),
         interlaced(&texels()),
@@ -96,15 +96,14 @@ fn files_of_other_tools_are_the_same_map() {
 fn palettes_of_all_depths_are_expanded_exactly() {
     let folder = folder("palettes");
     let (input, out) = (folder.join("normal.png"), folder.join("moments"));
-    // Not above 128, so that one bit has two colours that differ in all channels.
-    let colours: Vec<[u8; 3]> =
-        (0..16_u8).map(|k| [97 + 3 * k, 151 - 5 * k, 250 - 2 * k]).collect();
+    // Not above 128, so that one bit has two colors that differ in all channels.
+    let colors: Vec<[u8; 3]> = (0..16_u8).map(|k| [97 + 3 * k, 151 - 5 * k, 250 - 2 * k]).collect();
     for (depth, bits) in
         [(BitDepth::One, 1_usize), (BitDepth::Two, 2), (BitDepth::Four, 4), (BitDepth::Eight, 8)]
     {
         let count: u8 = if bits < 4 { 1 << bits } else { 16 };
         let indices: Vec<u8> = (0..15_u8).map(|k| k.wrapping_mul(7) % count).collect();
-        let texels: Vec<[u8; 3]> = indices.iter().map(|&k| colours[usize::from(k)]).collect();
+        let texels: Vec<[u8; 3]> = indices.iter().map(|&k| colors[usize::from(k)]).collect();
         // Rows of five texels, from the highest bits on, to whole bytes.
         let rows = indices.chunks_exact(5).flat_map(|row| {
             let packed = row.iter().fold(0_u64, |sum, &k| sum << bits | u64::from(k));
@@ -113,29 +112,29 @@ fn palettes_of_all_depths_are_expanded_exactly() {
         });
         let rows: Vec<u8> = rows.collect();
         let pixels = zlib(&filtered(&rows, SIZE[1]));
-        let palette = colours[..usize::from(count)].as_flattened().to_vec();
+        let palette = colors[..usize::from(count)].as_flattened().to_vec();
         let file = |chunks: Chunks| assembled(SIZE, ColorType::Indexed, depth, false, chunks);
-        let (colours, data) = ((b"PLTE", palette.clone()), (b"IDAT", pixels));
-        fs::write(&input, file(&[colours.clone(), data.clone()])).expect("a file");
+        let (colors, data) = ((b"PLTE", palette.clone()), (b"IDAT", pixels));
+        fs::write(&input, file(&[colors.clone(), data.clone()])).expect("a file");
         baked(&input, &out, &[]);
         holds(&out, &expected(&texels, 10.0, Border::Wrap));
 
-        // x in alpha: the colours' transparencies, 255 where a colour has none.
+        // x in alpha: the colors' transparencies, 255 where a color has none.
         let alphas: Vec<u8> = (0..count).map(|k| 90 + 4 * k).collect();
         let transparency = (b"tRNS", alphas[..usize::from(count) - 1].to_vec());
-        fs::write(&input, file(&[colours.clone(), transparency, data.clone()])).expect("a file");
+        fs::write(&input, file(&[colors.clone(), transparency, data.clone()])).expect("a file");
         baked(&input, &out, &["--channels", "agb"]);
         let alpha = |k: u8| if k + 1 < count { alphas[usize::from(k)] } else { 255 };
         let moved = texels.iter().zip(&indices).map(|(&[_, y, z], &k)| [alpha(k), y, z]);
         holds(&out, &expected(&moved.collect::<Vec<_>>(), 10.0, Border::Wrap));
 
-        // An index without a colour, more transparencies than colours, no palette, a part of a colour.
+        // An index without a color, more transparencies than colors, no palette, a part of a color.
         let short = (b"PLTE", palette[3..].to_vec());
         let many = (b"tRNS", vec![0; usize::from(count) + 1]);
         let part = (b"PLTE", palette[..palette.len() - 1].to_vec());
         for (chunks, said) in [
-            (vec![short, data.clone()], "texels of colour"),
-            (vec![colours, many, data.clone()], "transparenc"),
+            (vec![short, data.clone()], "texels of color"),
+            (vec![colors, many, data.clone()], "transparenc"),
             (vec![part, data.clone()], "palette"),
             (vec![data], "palette"),
         ] {
@@ -151,7 +150,7 @@ fn heights_have_any_depth() {
     let (input, out) = (folder.join("height.png"), folder.join("moments"));
     let options = ["--height", "0.5", "--texel", "0.25"];
     let codes: Vec<u8> = (0..15_u8).map(|k| k * k % 3).collect();
-    // Of 2 bits 0, 1, 2 are 0, 85, 170 of 255; a grey picture in colours and in a palette is one, too.
+    // Of 2 bits 0, 1, 2 are 0, 85, 170 of 255; a gray picture in colors and in a palette is one, too.
     let wide: Vec<u8> = codes.iter().map(|&k| 85 * k).collect();
     let packed: Vec<u8> = codes
         .chunks_exact(5)
@@ -160,14 +159,14 @@ fn heights_have_any_depth() {
             (bits << 6).to_be_bytes()
         })
         .collect();
-    let greys = [0_u8, 85, 170].iter().flat_map(|&v| [v, v, v]).collect();
+    let grays = [0_u8, 85, 170].iter().flat_map(|&v| [v, v, v]).collect();
     let data = || (b"IDAT", zlib(&filtered(&packed, SIZE[1])));
-    let colours: Vec<u8> = wide.iter().flat_map(|&v| [v, v, v]).collect();
+    let colors: Vec<u8> = wide.iter().flat_map(|&v| [v, v, v]).collect();
     let files = [
         picture(SIZE, ColorType::Grayscale, BitDepth::Eight, &wide),
         assembled(SIZE, ColorType::Grayscale, BitDepth::Two, false, &[data()]),
-        assembled(SIZE, ColorType::Indexed, BitDepth::Two, false, &[(b"PLTE", greys), data()]),
-        picture(SIZE, ColorType::Rgb, BitDepth::Eight, &colours),
+        assembled(SIZE, ColorType::Indexed, BitDepth::Two, false, &[(b"PLTE", grays), data()]),
+        picture(SIZE, ColorType::Rgb, BitDepth::Eight, &colors),
     ];
     let mut first = None;
     for file in files {

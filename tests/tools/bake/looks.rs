@@ -1,4 +1,4 @@
-//! Maps that are not what they are read as: heights, two channels, a flat colour that is not flat, y turned.
+//! Maps that are not what they are read as: heights, two channels, a flat color that is not flat, y turned.
 
 use super::picture::{SIZE, picture, rgb, texels};
 use super::{bake, baked, complains, described, expected, folder, holds, warned};
@@ -41,17 +41,17 @@ fn files(name: &str) -> (PathBuf, PathBuf) {
 #[test]
 fn a_height_map_is_refused_by_what_it_is() {
     let (input, out) = files("bump");
-    let greys: Vec<u8> = (0..15_u8).map(|k| 17 * k).collect();
-    let rgb: Vec<u8> = greys.iter().flat_map(|&v| [v, v, v]).collect();
-    let rgba: Vec<u8> = greys.iter().flat_map(|&v| [v, v, v, 255]).collect();
+    let grays: Vec<u8> = (0..15_u8).map(|k| 17 * k).collect();
+    let rgb: Vec<u8> = grays.iter().flat_map(|&v| [v, v, v]).collect();
+    let rgba: Vec<u8> = grays.iter().flat_map(|&v| [v, v, v, 255]).collect();
     let wide: Vec<u8> = rgb.iter().flat_map(|&v| [v, 3]).collect();
-    // As a lossy format leaves greys.
-    let nearly: Vec<u8> = greys.iter().flat_map(|&v| [v, v.saturating_add(2), v]).collect();
+    // As a lossy format leaves grays.
+    let nearly: Vec<u8> = grays.iter().flat_map(|&v| [v, v.saturating_add(2), v]).collect();
     for (color, depth, data, said) in [
         (ColorType::Rgb, BitDepth::Eight, &rgb, "are equal"),
         (ColorType::Rgba, BitDepth::Eight, &rgba, "are equal"),
         (ColorType::Rgb, BitDepth::Sixteen, &wide, "are equal"),
-        (ColorType::Grayscale, BitDepth::Eight, &greys, "are equal"),
+        (ColorType::Grayscale, BitDepth::Eight, &grays, "are equal"),
         (ColorType::Rgb, BitDepth::Eight, &nearly, "are nearly equal"),
     ] {
         fs::write(&input, picture(SIZE, color, depth, data)).expect("a file");
@@ -63,15 +63,15 @@ fn a_height_map_is_refused_by_what_it_is() {
         baked(&input, &out, &["--height", "1", "--texel", "1"]);
         fs::remove_dir_all(&out).expect("a folder");
     }
-    // Greys with x in alpha are two channels.
+    // Grays with x in alpha are two channels.
     let pairs: Vec<_> = texels().iter().map(|&[x, y, _]| [x, y]).collect();
-    let grey: Vec<u8> = pairs.iter().flat_map(|&[x, y]| [y, x]).collect();
-    fs::write(&input, picture(SIZE, ColorType::GrayscaleAlpha, BitDepth::Eight, &grey))
+    let gray: Vec<u8> = pairs.iter().flat_map(|&[x, y]| [y, x]).collect();
+    fs::write(&input, picture(SIZE, ColorType::GrayscaleAlpha, BitDepth::Eight, &gray))
         .expect("a file");
     complains(&bake(&input, &out, &[]), &["height (bump) map", "--channels ag"]);
     baked(&input, &out, &["--channels", "ag"]);
     holds(&out, &expected(&pairs, 10.0, Border::Wrap));
-    // A coloured texel among a thousand makes no normal map of it; two do.
+    // A colored texel among a thousand makes no normal map of it; two do.
     let mut bright = vec![[200_u8; 3]; 1024];
     for (red, said) in [(3, Some("in all but 1 of 1024 texels")), (1000, None)] {
         bright[red] = [255, 0, 0];
@@ -202,7 +202,7 @@ fn real_maps_are_taken_as_they_are() {
 }
 
 #[test]
-fn alpha_that_colours_were_multiplied_by_is_pointed_out() {
+fn alpha_that_colors_were_multiplied_by_is_pointed_out() {
     let (input, out) = files("premultiplied");
     let part = |v: u8, alpha: u8| (u16::from(v) * u16::from(alpha) / 255) as u8;
     let alpha = |k: usize| if k % 3 == 0 { 200 } else { 255 };
@@ -214,7 +214,7 @@ fn alpha_that_colours_were_multiplied_by_is_pointed_out() {
     fs::write(&input, picture([16; 2], ColorType::Rgba, BitDepth::Eight, &data)).expect("a file");
     let (_, warnings) = warned(&input, &out, &[]);
     assert!(warnings[0].contains("premultiplied"), "{warnings:?}");
-    // A roof whose colours lie below an alpha that is hardly less than 1.
+    // A roof whose colors lie below an alpha that is hardly less than 1.
     let roof = (0..256_usize)
         .flat_map(|k| [if k / 4 % 2 == 0 { 37 } else { 218 }, 128, 218, 225 + (k * k % 31) as u8]);
     let roof: Vec<u8> = roof.collect();
@@ -223,7 +223,7 @@ fn alpha_that_colours_were_multiplied_by_is_pointed_out() {
 }
 
 #[test]
-fn a_flat_colour_that_is_not_flat_is_pointed_out() {
+fn a_flat_color_that_is_not_flat_is_pointed_out() {
     let (input, out) = files("flat");
     let flat = |texel: [u8; 3], side: u32| {
         let data = vec![texel; (side * side) as usize];
@@ -266,7 +266,7 @@ fn a_flat_colour_that_is_not_flat_is_pointed_out() {
     fs::write(&input, picture([1; 2], ColorType::Rgb, BitDepth::Sixteen, &wide)).expect("a file");
     assert_eq!(warned(&input, &out, &[]).1, [""; 0]);
 
-    // A map that varies, on such a colour: x by 8 codes to either side.
+    // A map that varies, on such a color: x by 8 codes to either side.
     let tilted: Vec<[u8; 3]> = (0..15).map(|k| [110 + k % 5 * 4, 100, 255]).collect();
     fs::write(&input, rgb(&tilted)).expect("a file");
     let (_, warnings) = warned(&input, &out, &[]);
@@ -283,7 +283,7 @@ fn a_flat_colour_that_is_not_flat_is_pointed_out() {
     assert!((description["mean_slope"][0].as_f64().expect("a number") - mean).abs() < 1e-6);
     assert!((description["deviation"].as_f64().expect("a number") - variance.sqrt()).abs() < 1e-6);
 
-    // The whole of a map encoded as sRGB, which a colour picker shows as (188, 188, 255), and of one decoded as sRGB.
+    // The whole of a map encoded as sRGB, which a color picker shows as (188, 188, 255), and of one decoded as sRGB.
     let encoded = |v: u8| {
         let v = f64::from(v) / 255.0;
         let code = if v > 0.003_130_8 { 1.055 * v.powf(1.0 / 2.4) - 0.055 } else { 12.92 * v };

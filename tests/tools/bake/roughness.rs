@@ -45,7 +45,7 @@ fn spread(texels: &[[u8; 3]], level: usize, column: usize, row: usize) -> f64 {
         .sum()
 }
 
-/// A grey PNG's size, bits and codes.
+/// A gray PNG's size, bits and codes.
 fn codes(path: &Path) -> ([usize; 2], usize, Vec<u32>) {
     let file = fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().expect("a PNG");

@@ -43,8 +43,8 @@ impl Body {
                 // Near enough to parallel: rays cross the middle plane beside the ball that they meet.
                 let [x, _, z] = ray.at(-ray.eye[1] / ray.direction[1]);
                 let place = [x, z].map(|x| (x / pitch).round());
-                let centre = [pitch * place[0], 0.0, pitch * place[1]];
-                let mut hit = met(&Ball { centre, ..*ball }, chart, ray)?;
+                let center = [pitch * place[0], 0.0, pitch * place[1]];
+                let mut hit = met(&Ball { center, ..*ball }, chart, ray)?;
                 hit.uv = [0, 1].map(|k| hit.uv[k] + APART * pitch * place[k]);
                 Some(hit)
             }
@@ -57,7 +57,7 @@ const APART: f64 = 1.37;
 
 /// A ball around the origin, and lengths on it.
 fn charted(radius: f64) -> (Ball<f64>, Lambert<f64>) {
-    (Ball { centre: [0.0; 3], radius }, Lambert { comb: Comb::around(FRONT), density: radius })
+    (Ball { center: [0.0; 3], radius }, Lambert { comb: Comb::around(FRONT), density: radius })
 }
 
 /// Where a ray meets a ball.

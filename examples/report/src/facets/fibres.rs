@@ -1,6 +1,6 @@
 //! The anisotropic normal map of the ball: moments of its slopes, laid on askew.
 
-use lobe::material::glint::Patch;
+use lobe::material::cells::Patch;
 use lobe::material::lean::{Border, MomentMap, SlopeCap};
 use lobe::{Error, SlopeMoments};
 

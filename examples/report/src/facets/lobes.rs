@@ -1,6 +1,6 @@
 //! Lobes over the plane of slopes, by their correlation: of few facets and of many (Fig. 10).
 
-use lobe::material::glint::Patch;
+use lobe::material::cells::Patch;
 use lobe::material::multilobe::{Dictionary, MultiLobe};
 use lobe::{Error, Roughness};
 use serde::Serialize;
@@ -61,7 +61,7 @@ impl Shown {
         // As many lobes in each cell: some would have a handful, and draw all there is to see.
         let surface = MultiLobe::new(roughness, facets)?.with_variation(0.0)?;
         let patch = Patch::new([0.37, 0.61], [1.0, 0.0], [0.0, 1.0]);
-        let pixel = surface.lobe(dictionary, &patch);
+        let pixel = surface.ndf(dictionary, &patch);
         let step = 2.0 * REACH * SIGMA / side as f64;
         let at = |k: usize| step * (k as f64 + 0.5) - REACH * SIGMA;
         // Means of finer points: lobes are about as narrow as a point of the picture.

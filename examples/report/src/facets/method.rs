@@ -128,7 +128,7 @@ impl<R: Precision> Surface<R> {
     /// BRDF without Fresnel times the light's cosine.
     #[inline]
     pub(super) fn radiance(&self, filter: Filter, seen: &Seen<R>) -> R {
-        let lobe = self.facets.lobe(self.dictionary, &seen.patch);
+        let lobe = self.facets.ndf(self.dictionary, &seen.patch);
         let lobe = match &seen.moments {
             Some(moments) => lobe.over(moments),
             None => lobe,

@@ -1,6 +1,6 @@
 //! A body before a camera under distant lights: what shading needs of each point of the picture.
 
-use lobe::material::glint::Patch;
+use lobe::material::cells::Patch;
 use lobe::slope::MeanFrame;
 use lobe::slope::direction::{half_vector, normalize, slope_of};
 use lobe::{Error, Psd, Real, SlopeMoments};

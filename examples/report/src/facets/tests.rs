@@ -82,7 +82,7 @@ fn lobes_have_the_integral_and_the_correlation_that_was_asked_for() {
 fn far_away_facets_are_smooth_and_the_filter_is_no_worse_than_none() {
     let zoom = Zoom::seen(32, 4).unwrap();
     let (first, last) = (&zoom.frames[0], &zoom.frames[zoom.frames.len() - 1]);
-    // How much neighbours differ, over their sum.
+    // How much neighbors differ, over their sum.
     let grain = |picture: &[f64]| {
         let pairs = picture.windows(2).map(|pair| (pair[1] - pair[0]).abs());
         pairs.sum::<f64>() / picture.iter().sum::<f64>()

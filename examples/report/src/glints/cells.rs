@@ -1,7 +1,7 @@
 //! How many cells a pixel asks by its shape, and what published loops leave out.
 
 use lobe::Error;
-use lobe::material::glint::Patch;
+use lobe::material::cells::Patch;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -54,7 +54,7 @@ impl Visited {
 /// Cells of the default model.
 pub(super) fn whole(made: &Made<f64>, patch: &Patch<f64>) -> f64 {
     let mut cells = 0_u32;
-    made.glints.lobe(patch).grid().visit(|_| cells += 1);
+    made.glints.ndf(patch).grid().visit(|_| cells += 1);
     f64::from(cells)
 }
 

@@ -71,7 +71,7 @@ pub(crate) struct Instructions {
 impl Instructions {
     /// Of the text that the library gives out.
     pub(super) fn counted() -> Result<Self, String> {
-        let words = assembled(&source(&[Item::GlintsLobe, Item::GlintLobeBrdf]))?;
+        let words = assembled(&source(&[Item::GlintsNdf, Item::GlintNdfBrdf]))?;
         let functions = instructions(&words);
         let of = |names: &[&str]| {
             names.iter().try_fold([0; 2], |[all, arithmetic], name| {
@@ -81,9 +81,9 @@ impl Instructions {
             })
         };
         Ok(Self {
-            cell: of(&["lobe_level_covered", "lobe_glint_lobe_cell"])?,
-            varied: of(&["lobe_glint_lobe_varied"])?,
-            whole: of(&["lobe_glints_lobe", "lobe_glint_lobe_brdf"])?,
+            cell: of(&["lobe_level_covered", "lobe_glint_ndf_cell"])?,
+            varied: of(&["lobe_glint_ndf_varied"])?,
+            whole: of(&["lobe_glints_ndf", "lobe_glint_ndf_brdf"])?,
         })
     }
 }

@@ -1,7 +1,8 @@
 //! How much brighter sizes that vary make a material.
 
 use lobe::Error;
-use lobe::material::glint::{Glints, Patch, Published};
+use lobe::material::cells::Patch;
+use lobe::material::glint::{Glints, ZirrKaplanyan};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -41,7 +42,7 @@ impl Gain {
         // Details wide enough to be met often.
         let material = Material { name: "", alpha: 0.6, fractions: [0.1; 2], details };
         let biscale = material.biscale::<f64>()?;
-        let mut published = Published::new(biscale, details)?;
+        let mut published = ZirrKaplanyan::new(biscale, details)?;
         published.variation = variation;
         let glints =
             Glints::new(biscale, details)?.with_variation(variation.min(MOST))?.with_seed(seed);
@@ -60,7 +61,7 @@ impl Gain {
             variation,
             details,
             published: over(&|patch| published.d(patch, pole, 1.0, 0.0) / smooth),
-            default: over(&|patch| glints.lobe(patch).sparkle(pole, 0.0)),
+            default: over(&|patch| glints.ndf(patch).sparkle(pole, 0.0)),
         })
     }
 }

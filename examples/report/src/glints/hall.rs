@@ -1,7 +1,7 @@
 //! A hall without an end, seen from steep to grazing: the cells of each of its pixels.
 
 use lobe::Error;
-use lobe::material::glint::Patch;
+use lobe::material::cells::Patch;
 use rayon::prelude::*;
 
 use super::cells::{cut, whole};
@@ -141,7 +141,7 @@ fn ball(ray: &Ray<f64>) -> Option<Hit> {
     })
 }
 
-/// Where a ray from `offset`, seen from the centre, enters a sphere.
+/// Where a ray from `offset`, seen from the center, enters a sphere.
 fn first(offset: Vector<f64>, direction: Vector<f64>, radius: f64) -> Option<f64> {
     let (a, b) = (dot(direction, direction), dot(offset, direction));
     let discriminant = b * b - a * (dot(offset, offset) - radius * radius);

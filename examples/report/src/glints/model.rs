@@ -1,6 +1,7 @@
 //! The models that are compared: a material as each has it, and one evaluation of a pixel.
 
-use lobe::material::glint::{Glints, Patch, Published};
+use lobe::material::cells::Patch;
+use lobe::material::glint::{Glints, ZirrKaplanyan};
 use lobe::slope::direction::half_vector;
 use lobe::{Beckmann, Error, Isotropic, Real};
 use serde::Serialize;
@@ -69,8 +70,8 @@ pub(super) struct Made<R> {
     smooth: Beckmann<Isotropic<R>>,
     pub(super) glints: Glints<R>,
     varied: Glints<R>,
-    pub(super) published: Published<R>,
-    published_varied: Published<R>,
+    pub(super) published: ZirrKaplanyan<R>,
+    published_varied: ZirrKaplanyan<R>,
 }
 
 impl<R: Real> Made<R> {
@@ -80,7 +81,7 @@ impl<R: Real> Made<R> {
     pub(super) fn new(material: &Material, area: f64, seed: u32) -> Result<Self, Error> {
         let biscale = material.biscale()?;
         let glints = Glints::new(biscale, R::lit(material.density(area)))?.with_seed(seed);
-        let published = Published::new(biscale, R::lit(material.details / area))?;
+        let published = ZirrKaplanyan::new(biscale, R::lit(material.details / area))?;
         let variation = R::lit(VARIATION);
         let mut published_varied = published;
         published_varied.variation = variation;
@@ -99,10 +100,10 @@ impl<R: Real> Made<R> {
         let Seen { patch, wo, wi, radius } = *seen;
         match model {
             Model::Smooth => self.smooth.brdf(wo, wi),
-            Model::Default => self.glints.lobe(&patch).brdf(wo, wi, radius),
-            Model::Varied => self.varied.lobe(&patch).brdf(wo, wi, radius),
+            Model::Default => self.glints.ndf(&patch).brdf(wo, wi, radius),
+            Model::Varied => self.varied.ndf(&patch).brdf(wo, wi, radius),
             Model::Four => {
-                let quarters = quarters(&patch).map(|q| self.glints.lobe(&q).brdf(wo, wi, radius));
+                let quarters = quarters(&patch).map(|q| self.glints.ndf(&q).brdf(wo, wi, radius));
                 quarters.into_iter().fold(R::ZERO, |sum, x| sum + x) * R::lit(0.25)
             }
             Model::Published => self.masked(&self.published, seen),
@@ -112,7 +113,7 @@ impl<R: Real> Made<R> {
 
     /// A published density with the masking of the smooth lobe, which its authors leave to the caller.
     #[inline]
-    fn masked(&self, published: &Published<R>, seen: &Seen<R>) -> R {
+    fn masked(&self, published: &ZirrKaplanyan<R>, seen: &Seen<R>) -> R {
         let h = half_vector(seen.wo, seen.wi);
         let cosine = (0..3).fold(R::ZERO, |sum, k| sum + seen.wi[k] * h[k]);
         let visibility = self.smooth.visibility(seen.wo, seen.wi);

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use lobe::material::glint::Patch;
+use lobe::material::cells::Patch;
 
 use super::material::Material;
 use super::truth::arrivals;
@@ -83,7 +83,7 @@ impl Points {
     }
 }
 
-/// No part of a parallelogram within some heights lies left or right of these; all from its centre.
+/// No part of a parallelogram within some heights lies left or right of these; all from its center.
 fn columns(patch: &Patch<f64>, det: f64, heights: [f64; 2]) -> [f64; 2] {
     let Patch { right, up, .. } = *patch;
     let reach = 0.5 * (right[0].abs() + up[0].abs());

@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use lobe::Error;
-use lobe::material::glint::{Grid, Patch, light_blur};
+use lobe::material::cells::Patch;
+use lobe::material::glint::{Grid, light_blur};
 use lobe::slope::direction::normal_of;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -114,7 +115,7 @@ impl Setting<'_> {
     /// Probability that a detail reflects.
     pub(super) fn probability(&self) -> Result<f64, Error> {
         let pixel = self.pixel(0);
-        Ok(self.made(&pixel)?.glints.lobe(&pixel.patch).probability(self.h(), self.blur()))
+        Ok(self.made(&pixel)?.glints.ndf(&pixel.patch).probability(self.h(), self.blur()))
     }
 
     /// The relative variance that the default model should have: of every cell that of a binomial number, summed as if
@@ -124,7 +125,7 @@ impl Setting<'_> {
         let one = |index| {
             let pixel = self.pixel(index);
             let density = self.material.density(pixel.area);
-            let lobe = self.made(&pixel)?.glints.lobe(&pixel.patch);
+            let lobe = self.made(&pixel)?.glints.ndf(&pixel.patch);
             Ok(law(lobe.grid(), density, self.material.is_groove(), probability))
         };
         let laws: Vec<_> = (0..count).into_par_iter().map(one).collect::<Result<_, Error>>()?;

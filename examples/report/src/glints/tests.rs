@@ -53,7 +53,7 @@ fn a_pixel_s_points_are_those_of_its_halves() {
         let whole = points.slope_pdf(&patch, [0.1, 0.2]);
         let halves = [-0.25, 0.25].map(|part| {
             let uv = [0, 1].map(|k| patch.uv[k] + part * patch.up[k]);
-            let half = lobe::material::glint::Patch { uv, up: patch.up.map(|x| 0.5 * x), ..patch };
+            let half = lobe::material::cells::Patch { uv, up: patch.up.map(|x| 0.5 * x), ..patch };
             points.slope_pdf(&half, [0.1, 0.2])
         });
         let sum = 0.5 * (halves[0] + halves[1]);

@@ -10,7 +10,7 @@ use super::pixel::Pixel;
 /// Directions of a [`Density::ring`]: enough that angles leave no error in the digits shown.
 pub(super) const DIRECTIONS: usize = 24;
 
-/// A density over slopes, centred and with the symmetries of the square.
+/// A density over slopes, centered and with the symmetries of the square.
 pub(crate) enum Density {
     /// GGX of some alpha: what every widened lobe is.
     Widened(Ggx<Isotropic<f64>>),
@@ -38,7 +38,7 @@ impl Density {
     }
 
     pub(super) fn gaussian(pixel: &Pixel) -> Result<Self, Error> {
-        Ok(Self::Gaussian(Lobe::centred(Roughness::from_alpha(1.0)?), pixel.kernel()))
+        Ok(Self::Gaussian(Lobe::centered(Roughness::from_alpha(1.0)?), pixel.kernel()))
     }
 
     /// The density at a slope, along the axes of the pixel.

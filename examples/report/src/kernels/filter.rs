@@ -69,7 +69,7 @@ impl Filter {
 /// Variance addition as the library has it, over a square footprint of the pixel's width.
 fn added(pixel: &Pixel, filter: PixelFilter) -> Result<f64, Error> {
     let kernel = Kernel::of(&Footprint::rectangle([pixel.width; 2]), filter);
-    Ok(Roughness::from_alpha(1.0)?.widened(&kernel).alphas().x)
+    Ok(Roughness::from_alpha(1.0)?.widened(&kernel).alphas().major)
 }
 
 /// Every filter, in the order of the tables.
@@ -137,7 +137,7 @@ pub(super) static FILTERS: [Filter; 11] = [
         source: "lobe, Roughness::peak_fitted",
         family: Family::Peak,
         form: Form::Alpha(|pixel| {
-            Ok(Roughness::from_alpha(1.0)?.peak_fitted(&pixel.kernel()).alphas().x)
+            Ok(Roughness::from_alpha(1.0)?.peak_fitted(&pixel.kernel()).alphas().major)
         }),
     },
     Filter {

@@ -9,7 +9,7 @@ use super::density::{DIRECTIONS, Density};
 pub(crate) struct Measures {
     /// $2 \sigma^2 / \alpha^2$ of the pixel.
     pub(crate) kappa: f64,
-    /// Filter over truth at the centre, minus 1.
+    /// Filter over truth at the center, minus 1.
     pub(crate) peak_error: f64,
     /// Integral of |filter - truth| over the plane, at most 2; none where the filter's error does not fall with
     /// distance.
@@ -22,7 +22,7 @@ pub(crate) struct Measures {
     pub(crate) far_ratio: f64,
 }
 
-/// How far from the lobe's centre densities are compared, in alphas.
+/// How far from the lobe's center densities are compared, in alphas.
 pub(crate) const REACH: f64 = 20.0;
 
 /// Far beyond any pixel, in alphas.
@@ -36,7 +36,7 @@ const RINGS: usize = 1024;
 
 /// Values of a density where it is compared.
 pub(super) struct Samples {
-    /// From the centre to [`REACH`], along the axis and along the diagonal.
+    /// From the center to [`REACH`], along the axis and along the diagonal.
     rays: [Vec<f64>; 2],
     /// At [`FAR`], in the same directions.
     far: [f64; 2],

@@ -15,7 +15,7 @@ pub(crate) struct Proxy {
     pub(crate) last_form: f64,
     /// alpha' of $\alpha^2 + w^2/\pi$.
     pub(crate) over_pi: f64,
-    /// Peak of the GGX of each over the mean over the square at the centre, in that order.
+    /// Peak of the GGX of each over the mean over the square at the center, in that order.
     pub(crate) peak_ratios: [f64; 3],
 }
 
@@ -26,7 +26,7 @@ impl Proxy {
     pub(super) fn of_width(width: f64) -> Result<Self, Error> {
         let kernel =
             Kernel::of(&Footprint::rectangle([width; 2]), PixelFilter::TOKUYOSHI_KAPLANYAN);
-        let over_pi = Roughness::from_alpha(1.0)?.widened(&kernel).alphas().x;
+        let over_pi = Roughness::from_alpha(1.0)?.widened(&kernel).alphas().major;
         let alphas = [box_peak_alpha(1.0, width)?, kaplanyan_proxy_alpha(1.0, width)?, over_pi];
         let mean = Ggx::new(Isotropic::new(1.0)?).rectangle_mean([0.0; 2], [width; 2]);
         let ratio = |alpha: f64| 1.0 / (std::f64::consts::PI * alpha * alpha * mean);

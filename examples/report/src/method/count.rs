@@ -100,7 +100,7 @@ fn counted_sample(sample: Sample<f32>) -> Sample<Counted> {
 
 fn counted_motion(motion: Motion<f32>) -> Motion<Counted> {
     let [spin] = counted([motion.spin]);
-    Motion { half: counted(motion.half), normal: counted(motion.normal), spin }
+    Motion { half_vector: counted(motion.half_vector), normal: counted(motion.normal), spin }
 }
 
 /// Counts the operations of a method's shading.

@@ -1,12 +1,12 @@
 //! Shading with a roughness that was filtered before the light was known.
 
-use lobe::filter::preset::Engine;
+use lobe::filter::engine::Engine;
 use lobe::filter::{
     kaplanyan_deferred_alpha, kaplanyan_deferred_alphas, largest_deferred_alpha,
     tokuyoshi_deferred_alpha, tokuyoshi_kaplanyan_deferred_alpha,
 };
 use lobe::ndf::GgxDistribution;
-use lobe::{AxisAligned, Error, Kernel, Ndf, PixelFilter, Real, Shape};
+use lobe::{AxisAligned, Error, Kernel, LobeShape, Ndf, PixelFilter, Real};
 
 use super::material::Material;
 use super::pixel::Pixel;
@@ -57,7 +57,11 @@ impl Deferred {
 
 impl Shade for Deferred {
     #[inline]
-    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
+    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
+        &self,
+        material: &Material<S>,
+        pixel: &P,
+    ) -> S::Scalar {
         let shape = self.alphas(material.alphas, pixel).and_then(|[x, y]| AxisAligned::new(x, y));
         let sample = pixel.sample();
         // Alphas of a material are in range, and only grow.

@@ -1,6 +1,6 @@
 //! The material under the filter: one alpha, or one along and one across a brushed surface's grooves.
 
-use lobe::{AxisAligned, Error, Isotropic, Roughness, Shape};
+use lobe::{AxisAligned, Error, Isotropic, LobeShape, Roughness};
 
 use crate::scene::ACROSS;
 
@@ -24,7 +24,7 @@ impl Finish {
 }
 
 /// A material of a shape, with what the filters need of it.
-pub(crate) struct Material<S: Shape> {
+pub(crate) struct Material<S: LobeShape> {
     /// Roughness along the shading frame's axes.
     pub(super) alphas: [S::Scalar; 2],
     pub(super) shape: S,

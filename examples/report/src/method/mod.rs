@@ -10,7 +10,7 @@ mod material;
 mod pixel;
 mod shading;
 
-use lobe::Shape;
+use lobe::LobeShape;
 use serde::Serialize;
 
 use crate::scene::{Motions, Sample};
@@ -116,7 +116,7 @@ where
     })
 }
 
-fn shade_row<F: Shade, S: Shape<Scalar = f32>>(
+fn shade_row<F: Shade, S: LobeShape<Scalar = f32>>(
     shade: &F,
     derivatives: Derivatives,
     material: &Material<S>,

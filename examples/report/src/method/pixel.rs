@@ -15,13 +15,13 @@ pub(crate) enum Derivatives {
     None,
     /// Differences within two by two pixels, as a GPU takes them.
     Quad,
-    /// Ray differentials and the surface's own derivatives at the pixel's centre.
+    /// Ray differentials and the surface's own derivatives at the pixel's center.
     Analytic,
 }
 
 /// What a shading function may ask of a pixel.
 pub(crate) trait Pixel<R: Real> {
-    /// At the pixel's centre.
+    /// At the pixel's center.
     fn sample(&self) -> &Sample<R>;
 
     /// The pixel's footprint on the slope plane; none where a half vector is below the horizon.
@@ -121,9 +121,9 @@ impl<R: Real> Pixel<R> for MovingPixel<'_, R> {
         let [u, v] = self.motions.map(|motion| {
             let (n, spin) = (motion.normal, motion.spin);
             let dg = [
-                motion.half[0] - n[0] * g[2] + spin * g[1],
-                motion.half[1] - n[1] * g[2] - spin * g[0],
-                motion.half[2] + n[0] * g[0] + n[1] * g[1],
+                motion.half_vector[0] - n[0] * g[2] + spin * g[1],
+                motion.half_vector[1] - n[1] * g[2] - spin * g[0],
+                motion.half_vector[2] + n[0] * g[0] + n[1] * g[1],
             ];
             let along = h[0] * dg[0] + h[1] * dg[1] + h[2] * dg[2];
             [(dg[0] - h[0] * along) / length, (dg[1] - h[1] * along) / length]
@@ -138,7 +138,7 @@ impl<R: Real> Pixel<R> for MovingPixel<'_, R> {
 
     #[inline]
     fn normal_footprint(&self) -> Footprint<R> {
-        let [u, v] = self.motions.map(|motion| Motion { half: [R::ZERO; 3], ..motion });
+        let [u, v] = self.motions.map(|motion| Motion { half_vector: [R::ZERO; 3], ..motion });
         Footprint::from_motion([R::ZERO, R::ZERO, R::ONE], &u, &v).unwrap_or_default()
     }
 }
@@ -157,8 +157,8 @@ mod tests {
         let wi = normalize([-0.1, 0.7, 0.5]);
         let here = Sample { wo, wi, half: half_vector(wo, wi), ..Sample::default() };
         let motions = [
-            Motion { half: [0.02, -0.01, 0.03], normal: [0.05, -0.02], spin: 0.07 },
-            Motion { half: [-0.01, 0.04, 0.01], normal: [0.01, 0.03], spin: -0.02 },
+            Motion { half_vector: [0.02, -0.01, 0.03], normal: [0.05, -0.02], spin: 0.07 },
+            Motion { half_vector: [-0.01, 0.04, 0.01], normal: [0.01, 0.03], spin: -0.02 },
         ];
         let pixel = MovingPixel { here: &here, motions: &motions };
         let disk = pixel.narrowed_footprint();

@@ -7,7 +7,9 @@ use core::marker::PhantomData;
 use lobe::filter::{DiskKernel, beckmann_rectangle_mean, kaplanyan_rectangle_mean};
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
 use lobe::slope::direction::slope_of;
-use lobe::{Distribution, Footprint, Full, Kernel, Ndf, PixelFilter, Real, Roughness, Shape};
+use lobe::{
+    Anisotropic, Distribution, Footprint, Kernel, LobeShape, Ndf, PixelFilter, Real, Roughness,
+};
 
 use super::material::Material;
 use super::pixel::Pixel;
@@ -16,7 +18,11 @@ use crate::scene::Sample;
 /// A way to shade a pixel.
 pub(super) trait Shade {
     /// Radiance towards the eye.
-    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar;
+    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
+        &self,
+        material: &Material<S>,
+        pixel: &P,
+    ) -> S::Scalar;
 }
 
 /// BRDF times cosine and light.
@@ -28,7 +34,7 @@ pub(super) fn lit<R: Real>(brdf: R, sample: &Sample<R>) -> R {
 /// The same of a lobe in place of the material's.
 #[inline]
 pub(super) fn lit_by<D: Distribution, R: Real>(roughness: Roughness<R>, sample: &Sample<R>) -> R {
-    lit(Ndf::<D, _>::new(Full::new(roughness)).brdf(sample.wo, sample.wi), sample)
+    lit(Ndf::<D, _>::new(Anisotropic::new(roughness)).brdf(sample.wo, sample.wi), sample)
 }
 
 /// One sample, no filter.
@@ -37,7 +43,11 @@ pub(super) struct Plain<D>(pub(super) PhantomData<D>);
 
 impl<D: Distribution> Shade for Plain<D> {
     #[inline]
-    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
+    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
+        &self,
+        material: &Material<S>,
+        pixel: &P,
+    ) -> S::Scalar {
         let sample = pixel.sample();
         lit(Ndf::<D, S>::new(material.shape).brdf(sample.wo, sample.wi), sample)
     }
@@ -49,7 +59,11 @@ pub(super) struct Widened<D>(pub(super) PixelFilter, pub(super) PhantomData<D>);
 
 impl<D: Distribution> Shade for Widened<D> {
     #[inline]
-    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
+    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
+        &self,
+        material: &Material<S>,
+        pixel: &P,
+    ) -> S::Scalar {
         let kernel = Kernel::of(&pixel.footprint(), self.0);
         lit_by::<D, _>(material.roughness.widened(&kernel), pixel.sample())
     }
@@ -72,7 +86,11 @@ pub(super) enum Widening {
 
 impl Shade for Widening {
     #[inline]
-    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
+    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
+        &self,
+        material: &Material<S>,
+        pixel: &P,
+    ) -> S::Scalar {
         let limit = S::Scalar::lit(Kernel::<S::Scalar>::ALPHA_SQUARED_LIMIT);
         let roughness = &material.roughness;
         let widened = match *self {
@@ -131,7 +149,11 @@ impl RectangleMean for BeckmannDistribution {
 
 impl<D: RectangleMean> Shade for Rectangle<D> {
     #[inline]
-    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
+    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
+        &self,
+        material: &Material<S>,
+        pixel: &P,
+    ) -> S::Scalar {
         let sample = pixel.sample();
         let half = sample.half;
         if !(half[2] > S::Scalar::ZERO) {
@@ -152,7 +174,11 @@ pub(super) struct Parallelogram;
 
 impl Shade for Parallelogram {
     #[inline]
-    fn shade<S: Shape, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P) -> S::Scalar {
+    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
+        &self,
+        material: &Material<S>,
+        pixel: &P,
+    ) -> S::Scalar {
         let sample = pixel.sample();
         let ggx = Ndf::<GgxDistribution, S>::new(material.shape);
         lit(ggx.brdf_over(sample.wo, sample.wi, &pixel.footprint()), sample)

@@ -1,6 +1,8 @@
 //! A mapped plane in view: lookups and kernels at a place of the picture, in the precision of an engine.
 
-use lobe::{Error, Isotropic, Kernel, Lobe, PixelFilter, Roughness, SlopeMoments, Tilted};
+use lobe::{
+    Error, Footprint, Isotropic, Kernel, Lobe, NonCentered, PixelFilter, Roughness, SlopeMoments,
+};
 
 use super::texels::Texels;
 use super::view::{Spot, Steps, View};
@@ -23,8 +25,8 @@ impl<'a> Ground<'a> {
 
     /// The base around a slope.
     #[inline]
-    pub(super) fn bare(&self, slope: [f32; 2]) -> Result<Tilted<Isotropic<f32>>, Error> {
-        Tilted::new(Isotropic::new(self.alpha)?, slope)
+    pub(super) fn bare(&self, slope: [f32; 2]) -> Result<NonCentered<Isotropic<f32>>, Error> {
+        NonCentered::new(Isotropic::new(self.alpha)?, slope)
     }
 
     /// The base around a slope, with as much variance on either axis.
@@ -33,9 +35,9 @@ impl<'a> Ground<'a> {
         &self,
         slope: [f32; 2],
         variance: f32,
-    ) -> Result<Tilted<Isotropic<f32>>, Error> {
+    ) -> Result<NonCentered<Isotropic<f32>>, Error> {
         let alpha = (self.alpha * self.alpha + 2.0 * variance).sqrt();
-        Tilted::new(Isotropic::new(alpha)?, slope)
+        NonCentered::new(Isotropic::new(alpha)?, slope)
     }
 
     /// The mean normal as trilinear mips have it, shorter the more it stands for.
@@ -99,7 +101,7 @@ impl<'a> Ground<'a> {
             let there = self.trilinear([u + step[0], v + step[1]], steps).mean();
             [there[0] - mean[0], there[1] - mean[1]]
         });
-        Kernel::of(&flat.against(right, below), PixelFilter::BOX)
+        Kernel::of(&(flat - Footprint::from_slopes(right, below)), PixelFilter::BOX)
     }
 
     #[inline]

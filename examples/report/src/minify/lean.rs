@@ -1,7 +1,7 @@
 //! LEAN: mean slope and covariance, from several lookups, with and without kernels.
 
 use lobe::slope::direction::{half_vector, slope_of};
-use lobe::{Distribution, Error, Lobe, Ndf, Roughness, Shape, SlopeMoments};
+use lobe::{Distribution, Error, Lobe, LobeShape, Ndf, Roughness, SlopeMoments};
 
 use super::ground::Ground;
 use super::technique::{Technique, lit};
@@ -58,7 +58,7 @@ impl Technique for Shaded {
     }
 }
 
-/// Covariance and that kernel: what the mean slopes of neighbouring pixels differ by counts twice.
+/// Covariance and that kernel: what the mean slopes of neighboring pixels differ by counts twice.
 pub(super) struct LeanTwice;
 
 impl Technique for LeanTwice {

@@ -4,7 +4,7 @@
 //! roughness, which is shaded with the directions of that place. Nothing is weighted by projected area: this is a map,
 //! no displaced surface.
 
-use lobe::{Beckmann, Error, Ggx, Isotropic, Shape, Tilted};
+use lobe::{Beckmann, Error, Ggx, Isotropic, LobeShape, NonCentered};
 use rayon::prelude::*;
 
 use super::texels::Texels;
@@ -116,7 +116,7 @@ fn mean(
             let slope = texels.slopes.bilinear(spot.uv);
             for (sums, &shape) in sums.chunks_exact_mut(2).zip(shapes) {
                 // Slopes of a map are below its cap.
-                if let Ok(shape) = Tilted::new(shape, slope) {
+                if let Ok(shape) = NonCentered::new(shape, slope) {
                     add(sums, shape, &spot);
                 }
             }
@@ -127,7 +127,7 @@ fn mean(
 
 /// Adds the radiances of both distributions.
 #[inline]
-fn add(sums: &mut [f64], shape: Tilted<Isotropic<f64>>, spot: &Spot<f64>) {
+fn add(sums: &mut [f64], shape: NonCentered<Isotropic<f64>>, spot: &Spot<f64>) {
     let cosine = shape.mean_area(spot.wi);
     if cosine <= 0.0 {
         return;

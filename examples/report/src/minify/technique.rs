@@ -2,7 +2,7 @@
 
 use lobe::filter::{clean_variance, toksvig_variance};
 use lobe::slope::direction::slope_of;
-use lobe::{Distribution, Error, Ndf, Shape, Tilted};
+use lobe::{Distribution, Error, LobeShape, Ndf, NonCentered};
 
 use super::ground::Ground;
 use super::view::Spot;
@@ -18,8 +18,8 @@ pub(super) trait Technique {
 
 /// Of one lobe.
 #[inline]
-pub(super) fn lit<D: Distribution, S: Shape<Scalar = f32>>(
-    shape: Tilted<S>,
+pub(super) fn lit<D: Distribution, S: LobeShape<Scalar = f32>>(
+    shape: NonCentered<S>,
     spot: &Spot<f32>,
 ) -> f32 {
     let cosine = shape.mean_area(spot.wi).max(0.0);

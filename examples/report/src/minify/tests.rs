@@ -48,12 +48,12 @@ fn on_a_constant_map_every_method_is_the_reference() {
     for distribution in Distribution::ALL {
         for (elevation, ratio) in [(90.0, 1.0), (45.0, 8.0), (15.0, 2.0)] {
             let (measured, noise) = errors(&texels, elevation, ratio, 0.3, distribution);
-            // The same lobe at the pixel's centre; what is left is its curvature over the pixel, the kernel's business.
-            let centre = of(&measured, name::POINT).rmse;
-            assert!(noise < 1e-3 && centre < 0.02, "{elevation} {noise} {centre}");
+            // The same lobe at the pixel's center; what is left is its curvature over the pixel, the kernel's business.
+            let center = of(&measured, name::POINT).rmse;
+            assert!(noise < 1e-3 && center < 0.02, "{elevation} {noise} {center}");
             for (method, errors) in &measured {
                 let name = method.name;
-                assert!(errors.rmse < 1.01 * centre + 1e-4, "{elevation} {name} {errors:?}");
+                assert!(errors.rmse < 1.01 * center + 1e-4, "{elevation} {name} {errors:?}");
             }
         }
     }
@@ -61,7 +61,7 @@ fn on_a_constant_map_every_method_is_the_reference() {
 
 /// Where the half vector moves by as much as alpha from pixel to pixel, its kernel is what is missing.
 #[test]
-fn on_a_narrow_lobe_the_kernel_mends_what_the_centre_misses() {
+fn on_a_narrow_lobe_the_kernel_mends_what_the_center_misses() {
     let texels = Texels::of_slopes([4, 4], vec![[0.0; 2]; 16]).unwrap();
     let (measured, noise) = errors(&texels, 45.0, 4.0, 0.02, Distribution::Beckmann);
     let [plain, kernel] = [name::LEAN, name::KERNEL].map(|name| of(&measured, name).rmse);

@@ -1,7 +1,7 @@
 //! A map made ready: its slopes, their moments, and the mean normals that plain mips hold.
 
 use lobe::Error;
-use lobe::material::lean::{Border, Clipped, MomentMap, SlopeCap};
+use lobe::material::lean::{Border, ClippedTexels, MomentMap, SlopeCap};
 use lobe::slope::direction::normal_of;
 
 use crate::level::{Chain, Level};
@@ -11,9 +11,9 @@ use crate::texture::Texture;
 pub(crate) const STEEPEST: f32 = 10.0;
 
 /// A map's slopes, none steeper than [`STEEPEST`], and how many were.
-fn slopes(texture: &Texture) -> Result<(Vec<[f32; 2]>, Clipped), Error> {
+fn slopes(texture: &Texture) -> Result<(Vec<[f32; 2]>, ClippedTexels), Error> {
     let cap = SlopeCap::new(STEEPEST)?;
-    let mut clipped = Clipped { texels: 0, of: texture.normals().len() };
+    let mut clipped = ClippedTexels { texels: 0, of: texture.normals().len() };
     let slopes = texture.normals().iter().map(|&normal| {
         let (slope, steeper) = cap.slope(normal);
         clipped.texels += usize::from(steeper);
@@ -23,7 +23,7 @@ fn slopes(texture: &Texture) -> Result<(Vec<[f32; 2]>, Clipped), Error> {
 }
 
 /// A map's chain of moments, and how many of its texels were steeper than [`STEEPEST`].
-pub(crate) fn moments(texture: &Texture) -> Result<(MomentMap<f32>, Clipped), Error> {
+pub(crate) fn moments(texture: &Texture) -> Result<(MomentMap<f32>, ClippedTexels), Error> {
     let (slopes, clipped) = slopes(texture)?;
     Ok((MomentMap::from_slopes(texture.size(), slopes, Border::Wrap)?, clipped))
 }

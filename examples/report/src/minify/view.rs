@@ -100,7 +100,7 @@ impl View<f64> {
 }
 
 impl<R: Scalar> View<R> {
-    /// What is seen at a place of the picture; pixel centres are at halves.
+    /// What is seen at a place of the picture; pixel centers are at halves.
     #[inline]
     pub(super) fn spot(&self, [x, y]: [R; 2]) -> Spot<R> {
         let ray = self.camera.ray(x, y);
@@ -143,7 +143,7 @@ impl<R: Scalar> View<R> {
         let arrival = self.light.at(spot.point);
         let [right, down] = steps.on_plane.map(|step| {
             let eye = scaled(-spot.nearness, tangential(step, spot.wo));
-            Motion { half: add(eye, arrival.turn(step)), ..Motion::default() }
+            Motion { half_vector: add(eye, arrival.turn(step)), ..Motion::default() }
         });
         // Eye and light are above the plane, so is the half vector.
         Footprint::from_motion(add(spot.wo, spot.wi), &right, &down).unwrap_or_default()

@@ -106,7 +106,7 @@ pub(super) fn spread(heights: &[f64], distance: f64, bounds: [f64; 2]) -> Vec<f6
     let within = |middle: f64, count: usize| {
         (middle.min(bounds[1] - half(count)).max(bounds[0] + half(count)), count)
     };
-    // Clusters of touching labels, each centred on the mean of what it labels; merge until apart.
+    // Clusters of touching labels, each centered on the mean of what it labels; merge until apart.
     let mut clusters: Vec<(f64, usize)> = Vec::new();
     for &height in heights {
         clusters.push(within(height, 1));
@@ -170,7 +170,7 @@ mod tests {
         assert_eq!(labels, [6.0, 16.0, 100.0]);
         let labels = spread(&[1.0, 2.0, 3.0], 10.0, [0.0, 200.0]);
         assert_eq!(labels, [0.0, 10.0, 20.0]);
-        // What the bounds push aside pushes its neighbour.
+        // What the bounds push aside pushes its neighbor.
         let labels = spread(&[1.0, 1.0, 12.0], 10.0, [0.0, 200.0]);
         assert_eq!(labels, [0.0, 10.0, 20.0]);
     }

@@ -168,9 +168,9 @@ pub(super) fn drawn(heading: &str, chart: &Chart) -> String {
     format!("<figure><h4>{heading}</h4>\n{}{outside}</figure>\n", chart.svg())
 }
 
-/// CSS classes of a filter's line: colour by idea, dashes within it.
+/// CSS classes of a filter's line: color by idea, dashes within it.
 fn class(before: impl Iterator<Item = Family>, family: Family) -> String {
-    let colour = match family {
+    let color = match family {
         Family::Nothing => "nothing",
         Family::Added => "added",
         Family::Published => "published",
@@ -179,5 +179,5 @@ fn class(before: impl Iterator<Item = Family>, family: Family) -> String {
     };
     let before = before.filter(|&other| other == family).count();
     let dashes = ["", " second", " third"][before.min(2)];
-    format!("{colour}{dashes}")
+    format!("{color}{dashes}")
 }

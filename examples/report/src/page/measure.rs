@@ -30,11 +30,11 @@ impl Measure {
 
 pub(super) const PEAK: Measure = Measure {
     title: "Peak error",
-    note: "Filter over truth at the lobe\u{2019}s centre, minus 1.",
+    note: "Filter over truth at the lobe\u{2019}s center, minus 1.",
     value: |m| m.peak_error,
     distance: f64::abs,
     show: signed_percent,
-    axis: Range::new("filter / truth \u{2212} 1 at the centre", Scale::Linear, [-75.0, 50.0])
+    axis: Range::new("filter / truth \u{2212} 1 at the center", Scale::Linear, [-75.0, 50.0])
         .with_unit(" %"),
     factor: 100.0,
     right: Some(0.0),
@@ -54,7 +54,7 @@ pub(super) const L1: Measure = Measure {
 
 pub(super) const LARGEST: Measure = Measure {
     title: "Largest relative error",
-    note: "Largest |filter / truth \u{2212} 1| from the centre to {reach} alphas.",
+    note: "Largest |filter / truth \u{2212} 1| from the center to {reach} alphas.",
     value: |m| m.largest_error,
     distance: f64::abs,
     show: percent,
@@ -66,7 +66,7 @@ pub(super) const LARGEST: Measure = Measure {
 
 pub(super) const TAIL: Measure = Measure {
     title: "Tail ratio",
-    note: "Filter over truth at {reach} alphas from the centre; for the largest pixels that is still near their edge.",
+    note: "Filter over truth at {reach} alphas from the center; for the largest pixels that is still near their edge.",
     value: |m| m.tail_ratio,
     distance: |ratio| ratio.ln().abs(),
     show: |ratio| format!("{}\u{d7}", significant(ratio)),

@@ -2,7 +2,7 @@
 
 mod axis;
 mod chart;
-mod colours;
+mod colors;
 mod facets;
 mod gallery;
 mod glints;

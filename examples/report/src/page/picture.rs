@@ -41,34 +41,34 @@ impl Tone {
     }
 
     /// Radiances to sRGB bytes.
-    pub(crate) fn grey(self, values: &[f64]) -> Vec<u8> {
+    pub(crate) fn gray(self, values: &[f64]) -> Vec<u8> {
         values.iter().map(|&x| self.byte(x)).collect()
     }
 
-    /// A grey picture as `data:image/png;base64,...`.
+    /// A gray picture as `data:image/png;base64,...`.
     pub(super) fn data_url(self, size: Size, values: &[f64]) -> String {
         format!("data:image/png;base64,{}", STANDARD.encode(self.file(size, values)))
     }
 
-    /// A grey picture as a PNG file.
+    /// A gray picture as a PNG file.
     fn file(self, size: Size, values: &[f64]) -> Vec<u8> {
-        encode(size.width, size.height, &self.grey(values))
+        encode(size.width, size.height, &self.gray(values))
     }
 
     /// The middles of pictures of one size side by side, with a white gap, as a PNG file: half their width
     /// and height, every pixel as two by two.
     pub(super) fn strip(self, size: Size, pictures: &[&[f64]]) -> Vec<u8> {
         let (width, height) = (size.width / 2, size.height / 2);
-        let mut grey = Vec::new();
+        let mut gray = Vec::new();
         for row in 0..2 * height {
             for (n, picture) in pictures.iter().enumerate() {
                 if n > 0 {
-                    grey.extend([255; GAP]);
+                    gray.extend([255; GAP]);
                 }
-                grey.extend(middle(size, picture, row / 2).iter().flat_map(|&x| [self.byte(x); 2]));
+                gray.extend(middle(size, picture, row / 2).iter().flat_map(|&x| [self.byte(x); 2]));
             }
         }
-        encode(pictures.len() * (2 * width + GAP) - GAP, 2 * height, &grey)
+        encode(pictures.len() * (2 * width + GAP) - GAP, 2 * height, &gray)
     }
 
     /// How far the middles of two pictures differ as they are shown, mean over pixels, in steps of 255.
@@ -85,13 +85,13 @@ impl Tone {
 pub(super) fn linear(size: Size, values: &[f64]) -> String {
     // In 0 to 255: the cast only drops the fraction.
     #[allow(clippy::cast_sign_loss)]
-    let grey: Vec<u8> = values.iter().map(|x| (255.0 * x.clamp(0.0, 1.0) + 0.5) as u8).collect();
-    format!("data:image/png;base64,{}", STANDARD.encode(encode(size.width, size.height, &grey)))
+    let gray: Vec<u8> = values.iter().map(|x| (255.0 * x.clamp(0.0, 1.0) + 0.5) as u8).collect();
+    format!("data:image/png;base64,{}", STANDARD.encode(encode(size.width, size.height, &gray)))
 }
 
-/// A picture in colours as `data:image/png;base64,...`.
-pub(super) fn coloured(size: Size, colours: &[[u8; 3]]) -> String {
-    let file = encoded(size.width, size.height, png::ColorType::Rgb, colours.as_flattened());
+/// A picture in colors as `data:image/png;base64,...`.
+pub(super) fn colored(size: Size, colors: &[[u8; 3]]) -> String {
+    let file = encoded(size.width, size.height, png::ColorType::Rgb, colors.as_flattened());
     format!("data:image/png;base64,{}", STANDARD.encode(file))
 }
 
@@ -103,16 +103,16 @@ fn middle(size: Size, picture: &[f64], row: usize) -> &[f64] {
 /// White pixels between the pictures of a strip.
 const GAP: usize = 8;
 
-/// An 8-bit grey PNG file.
-fn encode(width: usize, height: usize, grey: &[u8]) -> Vec<u8> {
-    encoded(width, height, png::ColorType::Grayscale, grey)
+/// An 8-bit gray PNG file.
+fn encode(width: usize, height: usize, gray: &[u8]) -> Vec<u8> {
+    encoded(width, height, png::ColorType::Grayscale, gray)
 }
 
 /// An 8-bit PNG file.
-fn encoded(width: usize, height: usize, colour: png::ColorType, bytes: &[u8]) -> Vec<u8> {
+fn encoded(width: usize, height: usize, color: png::ColorType, bytes: &[u8]) -> Vec<u8> {
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, extent(width), extent(height));
-    encoder.set_color(colour);
+    encoder.set_color(color);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::High);
     // Into memory, with as many bytes as the header says: nothing here can fail.
@@ -168,8 +168,8 @@ mod tests {
         let encoded = url.strip_prefix("data:image/png;base64,").unwrap();
         let file = base64::engine::general_purpose::STANDARD.decode(encoded).unwrap();
         let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
-        let mut grey = vec![0; reader.output_buffer_size().unwrap()];
-        reader.next_frame(&mut grey).unwrap();
-        assert_eq!(grey, values.map(|x| tone.byte(x)));
+        let mut gray = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut gray).unwrap();
+        assert_eq!(gray, values.map(|x| tone.byte(x)));
     }
 }

@@ -84,7 +84,7 @@ pub(super) fn html(relief: &Relief) -> String {
         "{}<p class=\"note\">{}</p>\n<p>{}</p>\n{}<h3>{}</h3>\n{}<p class=\"note\">{}</p>\n\
          <details><summary>Other lookups and divisors, and brightness</summary>\n{}<h4>Mean radiance over the \
          reference\u{2019}s, minus 1, in %: averaged light, over the sum</h4>\n<div class=\"wide\">{}</div></details>\n{}\
-         <h3>Normalisation error</h3>\n<div class=\"wide\">{}</div>\n<p class=\"note\">{}</p>\n\
+         <h3>Normalization error</h3>\n<div class=\"wide\">{}</div>\n<p class=\"note\">{}</p>\n\
          <h3>One narrow lamp, and shadows</h3>\n<div class=\"wide\">{}</div>\n<p class=\"note\">{}</p>\n{}",
         include_str!("relief.html"),
         facts(relief),
@@ -110,7 +110,7 @@ pub(super) fn text(relief: &Relief) -> String {
         TITLES.iter().map(|(way, title)| format!("\n{title}\n{}", errors(relief, *way).text()));
     format!(
         "\nLEADR against ray-cast relief\n{}\n{}{ERROR_NOTE}\n\nMean radiance over the reference's, minus 1, in %: averaged \
-         light, over the sum\n{}\nNormalisation error\n{}{AREA_NOTE}\n\nOne narrow lamp, and shadows\n{}{CLOSED_NOTE}\n{}\n",
+         light, over the sum\n{}\nNormalization error\n{}{AREA_NOTE}\n\nOne narrow lamp, and shadows\n{}{CLOSED_NOTE}\n{}\n",
         facts(relief),
         tables.collect::<Vec<_>>().concat(),
         biases(relief).text(),
@@ -192,7 +192,7 @@ fn biases(relief: &Relief) -> Table {
 fn areas(relief: &Relief) -> Table {
     let rows = relief.spheres.iter().map(|sphere| {
         let grids = GRIDS.map(|(family, count)| {
-            let errors = sphere.grid(family, count).map(|grid| grid.normalisation.map(number));
+            let errors = sphere.grid(family, count).map(|grid| grid.normalization.map(number));
             errors.map_or(String::new(), |[mean, largest]| format!("{mean} / {largest}"))
         });
         Line { cells: [name(sphere)].into_iter().chain(grids).collect(), class: "" }
@@ -256,7 +256,7 @@ fn finding(relief: &Relief) -> String {
     };
     let area = |family: Family, count: usize| {
         let grids = relief.spheres.iter().filter_map(|sphere| sphere.grid(family, count));
-        number(grids.map(|grid| grid.normalisation[1]).fold(0.0, f64::max))
+        number(grids.map(|grid| grid.normalization[1]).fold(0.0, f64::max))
     };
     let published = Family::Published;
     format!(

@@ -65,7 +65,7 @@ fn facts(sequence: &Sequence) -> String {
         Movement::Pan => "the camera goes to its right",
     };
     format!(
-        "{} {frames} frames in which {movement}, {step} pixels a frame at the picture\u{2019}s centre; {width} x \
+        "{} {frames} frames in which {movement}, {step} pixels a frame at the picture\u{2019}s center; {width} x \
          {height} pixels, {:.0} % of them judged; GGX, {light}, alpha {alpha}.",
         sequence.caption,
         100.0 * sequence.judged_part,

@@ -3,7 +3,7 @@
 use super::table::{Line, Table};
 use crate::sizes::Sizes;
 
-const NOTE: &str = "SPIR-V by naga, before any driver has optimised it: one instruction for every operation, load, \
+const NOTE: &str = "SPIR-V by naga, before any driver has optimized it: one instruction for every operation, load, \
                     field and branch; with every call written out and loops counted once. Kaplanyan et al. 2016, Table 3, \
                     counts what NVIDIA's compiler made of GLSL, so compare orders within a column, not across.";
 

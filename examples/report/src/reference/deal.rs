@@ -7,7 +7,7 @@ use crate::metric;
 /// Strata of every pixel.
 ///
 /// With errors c/n, the sum of squares is smallest for n like c^(2/3). A pixel's c is the pilot's
-/// difference around it: a glint that the pilot missed has neighbours that it did not. Absolute and
+/// difference around it: a glint that the pilot missed has neighbors that it did not. Absolute and
 /// relative errors have an equal say, as have alphas and distributions. Pixels that no window needs get
 /// the fewest.
 pub(super) fn deal(sampling: Sampling, pilot: &[Halves], needed: &[bool], size: Size) -> Vec<u32> {

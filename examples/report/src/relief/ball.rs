@@ -12,7 +12,7 @@ pub(super) struct Ball {
     pub(super) side: usize,
 }
 
-/// What a pixel's centre sees: its tangent frame and the viewer in it.
+/// What a pixel's center sees: its tangent frame and the viewer in it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spot<R> {
     /// Along the angle from the pole, along that around the axis, outwards.
@@ -21,7 +21,7 @@ pub(super) struct Spot<R> {
 }
 
 impl Ball {
-    /// Pixels whose centre lies on the sphere, as columns and rows.
+    /// Pixels whose center lies on the sphere, as columns and rows.
     pub(super) fn pixels(self) -> impl Iterator<Item = [usize; 2]> {
         let all = (0..self.side).flat_map(move |y| (0..self.side).map(move |x| [x, y]));
         all.filter(move |&pixel| self.normal(pixel).is_some())
@@ -41,7 +41,7 @@ impl Ball {
         Some(Spot { frame, wo: frame.map(|axis| dot(axis, VIEWER)) })
     }
 
-    /// The sphere's normal at the pixel's centre.
+    /// The sphere's normal at the pixel's center.
     fn normal(self, pixel: [usize; 2]) -> Option<Vector<f64>> {
         let [x, down] = pixel.map(|k| (2.0 * k as f64 + 1.0) / self.side as f64 - 1.0);
         let depth2 = 1.0 - x * x - down * down;

@@ -275,7 +275,7 @@ mod tests {
             for turn in [0.0, 0.1, 0.25] {
                 let towards = direction(elevation, turn);
                 let roughness = Roughness::from_sigma_rho(sigma[0], sigma[1], 0.0).unwrap();
-                let smith = Beckmann::new(Lobe::centred(roughness).shape()).g1(towards);
+                let smith = Beckmann::new(Lobe::centered(roughness).shape()).g1(towards);
                 let deviation = (sigma[0] * towards[0]).hypot(sigma[1] * towards[1]);
                 let facing = 1.0 - 0.5 * Real::erfc(towards[2] / deviation * 0.5_f64.sqrt());
                 let ratio = seen_part(&fields, sigma, towards, 50_000) / (smith * facing);

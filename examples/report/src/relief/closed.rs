@@ -17,7 +17,7 @@ pub(super) fn lit(pixel: &Pixel, sky: &Sky<f32>, shadowing: Shadowing) -> f32 {
     let leadr = Leadr::new(&pixel.lobe);
     let lamps = sky.lamps().iter().map(|lamp| {
         let wi = pixel.spot.local(lamp.direction);
-        lamp.irradiance * leadr.specular(pixel.spot.wo, wi, shadowing)
+        lamp.irradiance * leadr.brdf_cos(pixel.spot.wo, wi, shadowing)
     });
     lamps.sum()
 }
@@ -46,7 +46,7 @@ pub(super) fn lit_by_all(
             // The plane across, seen from its distance of 1.
             let solid_angle = area / (1.0 + a * a + b * b).powf(1.5);
             let wi = spot.local(direction);
-            sum += solid_angle * lamp.radiance(direction) * leadr.specular(spot.wo, wi, shadowing);
+            sum += solid_angle * lamp.radiance(direction) * leadr.brdf_cos(spot.wo, wi, shadowing);
         }
         sum
     };
@@ -88,8 +88,8 @@ mod tests {
     fn a_lobe_much_wider_than_the_lamp_sees_a_point() {
         let ball = Ball { side: 6 };
         let (sky, sky32) = (Sky::lamp(), Sky::lamp().cast());
-        let lobe = Lobe::centred(Roughness::from_sigma_rho(2.0, 2.0, 0.0).unwrap());
-        let lobe32 = Lobe::centred(Roughness::from_sigma_rho(2.0, 2.0, 0.0).unwrap());
+        let lobe = Lobe::centered(Roughness::from_sigma_rho(2.0, 2.0, 0.0).unwrap());
+        let lobe32 = Lobe::centered(Roughness::from_sigma_rho(2.0, 2.0, 0.0).unwrap());
         // In the middle of the picture, where nothing grazes.
         let spot = ball.spot([2, 2]).unwrap();
         let pixel = Pixel { spot: spot.cast(), lobe: lobe32 };

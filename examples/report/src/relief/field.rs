@@ -155,7 +155,7 @@ fn waves(side: usize, seed: u64) -> Vec<f64> {
     heights
 }
 
-/// Root-mean-square difference of neighbours, over both axes: the waves make them alike but for chance.
+/// Root-mean-square difference of neighbors, over both axes: the waves make them alike but for chance.
 fn deviation(side: usize, heights: &[f64]) -> f64 {
     let mut sum = 0.0;
     for y in 0..side {

@@ -47,7 +47,7 @@ pub(crate) struct Gathered {
     /// Slopes along each side.
     pub(crate) count: usize,
     /// Sum of the weights over the projected area, minus 1: mean of its size over the sphere, and where it is largest.
-    pub(crate) normalisation: [f64; 2],
+    pub(crate) normalization: [f64; 2],
     /// For each of [`Way::ALL`].
     pub(crate) errors: [Errors; 5],
 }
@@ -99,7 +99,8 @@ impl Sphere {
         row_done: &(impl Fn() + Sync),
     ) -> Result<Self, Error> {
         let reference = sampling.render(ball, sigma, row_done);
-        let lobe = Lobe::centred(Roughness::from_sigma_rho(sigma[0] as f32, sigma[1] as f32, 0.0)?);
+        let lobe =
+            Lobe::centered(Roughness::from_sigma_rho(sigma[0] as f32, sigma[1] as f32, 0.0)?);
         let spots: Vec<_> = ball.pixels().filter_map(|pixel| ball.spot(pixel)).collect();
         let pixels: Vec<_> = spots.iter().map(|spot| Pixel { spot: spot.cast(), lobe }).collect();
         let (whole, lamp) = (Sky::whole(), Sky::lamp());
@@ -115,7 +116,7 @@ impl Sphere {
             grids.push(Gathered {
                 family: rule.family,
                 count: rule.count,
-                normalisation: [
+                normalization: [
                     excesses().sum::<f64>() / sums.len() as f64,
                     excesses().fold(0.0, f64::max),
                 ],
@@ -135,7 +136,7 @@ impl Sphere {
             };
             pixels.par_iter().map(|pixel| shade(pixel).into()).collect()
         };
-        let exact = Lobe::centred(Roughness::from_sigma_rho(sigma[0], sigma[1], 0.0)?);
+        let exact = Lobe::centered(Roughness::from_sigma_rho(sigma[0], sigma[1], 0.0)?);
         let closed = |shadowing| -> Vec<f64> {
             spots.par_iter().map(|spot| lit_by_all(spot, &exact, &lamp, shadowing)).collect()
         };

@@ -37,7 +37,7 @@ impl Sampling {
         Self { fields: (0..fields).map(|seed| Field::new(side, seed)).collect(), rays }
     }
 
-    /// Casts rays at all pixels. Every pixel has the tangent frame of its centre, so that nothing but the relief
+    /// Casts rays at all pixels. Every pixel has the tangent frame of its center, so that nothing but the relief
     /// varies within it; lights are seen in whatever direction they are reflected.
     ///
     /// Mirrored fields are as random as they were: one ray serves four pixels.

@@ -2,7 +2,9 @@
 
 use lobe::Lobe;
 use lobe::material::Fresnel;
-use lobe::material::leadr::{Grid, Leadr, Normalisation, Shadowing, cube_lod, published_cube_lod};
+use lobe::material::leadr::{
+    Leadr, Normalization, Quadrature, Shadowing, cube_lod, dupuy_cube_lod,
+};
 use serde::Serialize;
 
 use super::ball::Spot;
@@ -37,10 +39,10 @@ impl Way {
     pub(crate) const ALL: [Self; 5] =
         [Self::Blurred, Self::Widened, Self::Point, Self::BlurredOverArea, Self::PointOverArea];
 
-    fn divisor(self) -> Normalisation {
+    fn divisor(self) -> Normalization {
         match self {
-            Self::Blurred | Self::Widened | Self::Point => Normalisation::Sum,
-            Self::BlurredOverArea | Self::PointOverArea => Normalisation::ProjectedArea,
+            Self::Blurred | Self::Widened | Self::Point => Normalization::Sum,
+            Self::BlurredOverArea | Self::PointOverArea => Normalization::ProjectedArea,
         }
     }
 }
@@ -98,9 +100,9 @@ impl Rule {
 
     fn of<const N: usize>(family: Family) -> Self {
         let grid = match family {
-            Family::Published => Grid::<f32, N>::published(),
-            Family::Cells => Grid::cells(),
-            Family::Hermite => Grid::hermite(),
+            Family::Published => Quadrature::<f32, N>::dupuy(),
+            Family::Cells => Quadrature::cells(),
+            Family::Hermite => Quadrature::hermite(),
         };
         Self { family, count: N, grid: Box::new(grid) }
     }
@@ -109,15 +111,15 @@ impl Rule {
 /// How many times the solid angle the paper's rule for its levels of detail averages over; not less than all of it.
 fn widening(count: usize) -> f32 {
     // The same at any solid angle and size of the map.
-    let levels = published_cube_lod(1.0_f64, 1.0, count) - cube_lod(1.0, 1.0);
+    let levels = dupuy_cube_lod(1.0_f64, 1.0, count) - cube_lod(1.0, 1.0);
     4.0_f64.powf(levels.max(0.0)) as f32
 }
 
-impl<const N: usize> Gathers for Grid<f32, N> {
+impl<const N: usize> Gathers for Quadrature<f32, N> {
     fn sums(&self, pixel: &Pixel, sky: &Sky<f32>) -> Sums {
         let (spot, leadr) = (&pixel.spot, Leadr::new(&pixel.lobe));
         let (shadowing, white) = (Shadowing::MaskingOnly, Fresnel::white());
-        let area = Normalisation::ProjectedArea;
+        let area = Normalization::ProjectedArea;
         let gathered = |light: &dyn Fn([f32; 3], f32) -> [f32; 3]| {
             leadr.environment(spot.wo, self, shadowing, area, &white, &light).map(f64::from)
         };
@@ -176,7 +178,7 @@ mod tests {
         let sky = Sky::whole().cast();
         let ball = Ball { side: 6 };
         for (sigma_x, sigma_y) in [(0.05, 0.05), (0.2, 1.6)] {
-            let lobe = Lobe::centred(Roughness::from_sigma_rho(sigma_x, sigma_y, 0.0).unwrap());
+            let lobe = Lobe::centered(Roughness::from_sigma_rho(sigma_x, sigma_y, 0.0).unwrap());
             for place in ball.pixels() {
                 let pixel = Pixel { spot: ball.spot(place).unwrap().cast(), lobe };
                 for rule in Rule::all() {

@@ -148,7 +148,7 @@ mod tests {
     fn a_blurred_lamp_is_the_mean_of_a_square() {
         let sky = Sky::lamp();
         let d = sky.lamps()[0].direction;
-        // A square of half width h in the plane across, small enough to be flat: its centre sees the mean over it.
+        // A square of half width h in the plane across, small enough to be flat: its center sees the mean over it.
         let across = lobe::slope::direction::normalize([d[1], -d[0], 0.0]);
         let along = crate::vector::cross(d, across);
         let h = 0.05;

@@ -38,7 +38,7 @@ const SIDE: usize = 2;
 
 impl Speed {
     pub(super) fn measured(rules: &[Rule], rounds: usize) -> Result<Self, Error> {
-        let lobe = Lobe::centred(Roughness::from_sigma_rho(SIGMA, SIGMA, 0.0)?);
+        let lobe = Lobe::centered(Roughness::from_sigma_rho(SIGMA, SIGMA, 0.0)?);
         let ball = Ball { side: SIDE };
         let spots = ball.pixels().filter_map(|pixel| ball.spot(pixel));
         let pixels: Vec<_> = spots.map(|spot| Pixel { spot: spot.cast(), lobe }).collect();

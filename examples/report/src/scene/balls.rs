@@ -18,24 +18,24 @@ const GAP: f64 = 3.0;
 /// One ball.
 #[derive(Clone, Copy)]
 pub(crate) struct Ball<R> {
-    pub(crate) centre: Vector<R>,
+    pub(crate) center: Vector<R>,
     pub(crate) radius: R,
 }
 
 impl Ball<f64> {
     pub(super) fn cast<R: Scalar>(&self) -> Ball<R> {
-        Ball { centre: cast(self.centre), radius: R::lit(self.radius) }
+        Ball { center: cast(self.center), radius: R::lit(self.radius) }
     }
 }
 
 impl<R: Scalar> Ball<R> {
     /// Where a ray enters: its parameter and the unit normal there.
     ///
-    /// From the point of the ray nearest to the centre, which keeps the digits that the quadratic's
+    /// From the point of the ray nearest to the center, which keeps the digits that the quadratic's
     /// coefficients lose far away.
     #[inline]
     pub(crate) fn enter(&self, ray: &Ray<R>) -> Option<(R, Vector<R>)> {
-        let to = sub(self.centre, ray.eye);
+        let to = sub(self.center, ray.eye);
         let length_squared = dot(ray.direction, ray.direction);
         let nearest = dot(to, ray.direction) / length_squared;
         let offset = along(scaled(-R::ONE, to), nearest, ray.direction);
@@ -58,16 +58,16 @@ pub(super) struct Balls<R> {
 impl Balls<f64> {
     /// As many as fit into the picture, facing the eye along +y; `unit` is a pixel's width there.
     pub(super) fn seen_in(size: Size, unit: f64) -> (Self, String) {
-        let discs = pack(size, unit);
-        let radii = discs.iter().map(|disc| disc[2]);
+        let disks = pack(size, unit);
+        let radii = disks.iter().map(|disk| disk[2]);
         let largest = radii.clone().fold(0.0, f64::max);
         let smallest = radii.fold(f64::INFINITY, f64::min);
         let caption = format!(
             "{} balls, radii from {largest:.0} to {smallest:.0} pixels, light from behind at the upper right.",
-            discs.len(),
+            disks.len(),
         );
         let balls =
-            discs.into_iter().map(|[x, z, radius]| Ball { centre: [x, 0.0, z], radius }).collect();
+            disks.into_iter().map(|[x, z, radius]| Ball { center: [x, 0.0, z], radius }).collect();
         (Self { balls, comb: Comb::around([0.0, -1.0, 0.0]) }, caption)
     }
 
@@ -77,11 +77,11 @@ impl Balls<f64> {
     }
 }
 
-/// Discs (x, z, radius) that fit into a picture around the origin, each the first place that is free, from
+/// Disks (x, z, radius) that fit into a picture around the origin, each the first place that is free, from
 /// the upper left; one that fills the picture if there is no room for any.
 fn pack(size: Size, unit: f64) -> Vec<[f64; 3]> {
     let [half_width, half_height] = [size.width, size.height].map(|side| 0.5 * side as f64);
-    let mut discs: Vec<[f64; 3]> = Vec::new();
+    let mut disks: Vec<[f64; 3]> = Vec::new();
     for _ in 0..ROUNDS {
         for radius in RADII.map(|radius| radius * unit) {
             let reach = radius + GAP * unit;
@@ -90,17 +90,17 @@ fn pack(size: Size, unit: f64) -> Vec<[f64; 3]> {
                 (0..count as i32).map(move |k| f64::from(k) * 2.0 * unit - half + reach)
             };
             let free = |&(x, z): &(f64, f64)| {
-                discs.iter().all(|d| (x - d[0]).hypot(z - d[1]) >= reach + d[2])
+                disks.iter().all(|d| (x - d[0]).hypot(z - d[1]) >= reach + d[2])
             };
             let place =
                 steps(half_height).flat_map(|z| steps(half_width).map(move |x| (x, -z))).find(free);
-            discs.extend(place.map(|(x, z)| [x, z, radius]));
+            disks.extend(place.map(|(x, z)| [x, z, radius]));
         }
     }
-    if discs.is_empty() {
-        discs.push([0.0, 0.0, 0.9 * half_width.min(half_height)]);
+    if disks.is_empty() {
+        disks.push([0.0, 0.0, 0.9 * half_width.min(half_height)]);
     }
-    discs
+    disks
 }
 
 impl<R: Scalar> Shape<R> for Balls<R> {
@@ -110,7 +110,7 @@ impl<R: Scalar> Shape<R> for Balls<R> {
         for (part, ball) in self.balls.iter().enumerate() {
             let Some((t, normal)) = ball.enter(ray) else { continue };
             if nearest.as_ref().is_none_or(|&(before, _)| t < before) {
-                let point = along(ball.centre, ball.radius, normal);
+                let point = along(ball.center, ball.radius, normal);
                 let tangent = self.comb.tangent(0, normal);
                 nearest = Some((t, Hit { point, geometric: normal, normal, tangent, part }));
             }
@@ -134,13 +134,13 @@ mod tests {
     #[test]
     fn balls_lie_apart_inside_the_picture_and_every_radius_is_there() {
         let size = Size::of_width(400);
-        let discs = pack(size, 1.0);
+        let disks = pack(size, 1.0);
         for radius in RADII {
-            assert!(discs.iter().any(|disc| disc[2] == radius), "{radius}");
+            assert!(disks.iter().any(|disk| disk[2] == radius), "{radius}");
         }
-        for (k, a) in discs.iter().enumerate() {
+        for (k, a) in disks.iter().enumerate() {
             assert!(a[0].abs() + a[2] < 200.0 && a[1].abs() + a[2] < 112.5);
-            for b in &discs[..k] {
+            for b in &disks[..k] {
                 assert!((a[0] - b[0]).hypot(a[1] - b[1]) > a[2] + b[2] + 2.9);
             }
         }
@@ -149,11 +149,11 @@ mod tests {
 
     #[test]
     fn rays_enter_where_they_meet_the_ball_first() {
-        let ball = Ball { centre: [10.0_f64, 900.0, -4.0], radius: 8.0 };
+        let ball = Ball { center: [10.0_f64, 900.0, -4.0], radius: 8.0 };
         let ray = Ray { eye: [0.0; 3], direction: [0.014, 1.0, -0.001] };
         let (t, normal) = ball.enter(&ray).unwrap();
         let point = ray.at(t);
-        let from = sub(point, ball.centre);
+        let from = sub(point, ball.center);
         assert!((dot(from, from).sqrt() - 8.0).abs() < 1e-9);
         assert!(dot(normal, ray.direction) < 0.0);
         assert!(sub(from, normal.map(|x| 8.0 * x)).iter().all(|x| x.abs() < 1e-9));

@@ -11,7 +11,7 @@ pub(crate) struct NormalMap {
     pub(crate) texture: Arc<Texture>,
 }
 
-/// The maps the program carries: name and PNG. Origin and licence: assets/README.md. The first is the one
+/// The maps the program carries: name and PNG. Origin and license: assets/README.md. The first is the one
 /// of quick runs.
 const CARRIED: [(&str, &[u8]); 4] = [
     ("leather", include_bytes!("../../assets/leather.png")),

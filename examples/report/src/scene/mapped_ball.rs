@@ -38,7 +38,7 @@ impl MappedBall<f64> {
             map.name,
         );
         let ball = Self {
-            ball: Ball { centre: [0.0; 3], radius },
+            ball: Ball { center: [0.0; 3], radius },
             chart: Lambert { comb: Comb::around([0.0, -1.0, 0.0]), density: DENSITY * radius },
             texture: Arc::clone(&map.texture),
         };
@@ -90,7 +90,7 @@ impl<R: Scalar> Shape<R> for MappedBall<R> {
         let [x, y] = self.texel(geometric);
         let normal = combined(self.axes(geometric), normalize(self.texture.lookup(x, y)));
         Some(Hit {
-            point: along(self.ball.centre, self.ball.radius, geometric),
+            point: along(self.ball.center, self.ball.radius, geometric),
             geometric,
             normal,
             tangent: self.chart.comb.tangent(0, normal),

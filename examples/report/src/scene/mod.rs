@@ -4,7 +4,7 @@
 
 mod balls;
 mod chart;
-mod disc;
+mod disk;
 mod map;
 mod mapped_ball;
 mod movement;
@@ -28,7 +28,7 @@ use surface::{Hit, Shape, Surface, on_shape};
 
 pub(crate) use balls::Ball;
 pub(crate) use chart::{Charted, Lambert};
-pub(crate) use disc::ACROSS;
+pub(crate) use disk::ACROSS;
 pub(crate) use map::{NormalMap, carried_maps, combed_map, restless_map};
 pub(crate) use movement::Movement;
 pub(crate) use subject::Subject;
@@ -65,7 +65,7 @@ pub(crate) struct Scene<R> {
 }
 
 impl<R: Scalar> Scene<R> {
-    /// The sample at the picture's point (x, y); pixel centres are at halves.
+    /// The sample at the picture's point (x, y); pixel centers are at halves.
     ///
     /// Ray, hit, normal, frame, directions: what the report calls geometry.
     #[inline]
@@ -133,7 +133,7 @@ impl<R: Scalar> Scene<R> {
         let turn = shape.turn(hit, step);
         let [first, second, _] = frame.to_local(turn.normal);
         Motion {
-            half: frame.to_local(add(eye_turn, light_turn)),
+            half_vector: frame.to_local(add(eye_turn, light_turn)),
             normal: [first, second],
             spin: frame.spin(&turn),
         }

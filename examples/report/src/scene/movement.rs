@@ -17,16 +17,16 @@ pub(crate) enum Movement {
 }
 
 impl Subject {
-    /// The scene once the movement has shifted what is at the picture's centre by `pixels`.
+    /// The scene once the movement has shifted what is at the picture's center by `pixels`.
     ///
-    /// A turn shifts what comes to the centre by as much at every time, whatever has passed by before. Where
-    /// the centre shows nothing, or the axis itself, nothing turns.
+    /// A turn shifts what comes to the center by as much at every time, whatever has passed by before. Where
+    /// the center shows nothing, or the axis itself, nothing turns.
     pub(crate) fn lit_after(&self, light: LightKind, movement: Movement, pixels: f64) -> Lit {
         let [x, y] = [self.size.width, self.size.height].map(|side| 0.5 * side as f64);
         let ray = self.camera.ray(x, y);
         let hit = on_shape!(&self.surface, shape => shape.hit(&ray));
         let point = hit.map_or([0.0; 3], |hit| hit.point);
-        // Towards the centre a ray's direction has length 1.
+        // Towards the center a ray's direction has length 1.
         let depth = dot(sub(point, ray.eye), ray.direction);
         let shift = scaled(pixels * depth, self.camera.right);
         let light = &self.lights[light as usize];
@@ -54,7 +54,7 @@ mod tests {
 
     const SIZE: Size = Size { width: 160, height: 90 };
 
-    /// The surface's point at the picture's centre, and where it is seen so many pixels later.
+    /// The surface's point at the picture's center, and where it is seen so many pixels later.
     fn followed(subject: &Subject, movement: Movement, from: f64, to: f64) -> [f64; 2] {
         let [before, after] =
             [from, to].map(|at| subject.lit_after(LightKind::Distant, movement, at).exact);
@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn the_point_at_the_centre_moves_by_as_many_pixels_as_stated() {
+    fn the_point_at_the_center_moves_by_as_many_pixels_as_stated() {
         let ball = Subject::mapped_ball(SIZE, &carried_maps(false).unwrap()[0]);
         let water = Subject::water(SIZE);
         for from in [-7.0, 0.0, 3.3] {

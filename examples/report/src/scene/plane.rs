@@ -13,7 +13,7 @@ use crate::scalar::Scalar;
 use crate::texture::Texture;
 use crate::vector::Vector;
 
-/// The light's mirror image is at the picture's centre.
+/// The light's mirror image is at the picture's center.
 pub(super) const VIEW: View = View { top: 25.0, bottom: 50.0, light: 37.5 };
 
 /// Texels per pixel where the view is most grazing, along the view: the densest of the picture. The

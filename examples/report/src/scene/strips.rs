@@ -73,7 +73,7 @@ impl Strips<f64> {
                 highest = highest.max((angle + bend).to_degrees());
                 let away = normalize(along(view, -dot(view, normal), normal));
                 strips.push(Strip {
-                    ball: Ball { centre: along(middle, -radius, normal), radius },
+                    ball: Ball { center: along(middle, -radius, normal), radius },
                     middle,
                     tangents: [away, cross(normal, away)],
                     reach: [radius * bend.sin(), HALF_LENGTH * unit],
@@ -123,7 +123,7 @@ impl<R: Scalar> Shape<R> for Strips<R> {
         let part = (row * self.grid[0] + column).unsigned_abs() as usize;
         let strip = &self.parts[part];
         let (_, normal) = strip.ball.enter(ray)?;
-        let point = along(strip.ball.centre, strip.ball.radius, normal);
+        let point = along(strip.ball.center, strip.ball.radius, normal);
         let from = sub(point, strip.middle);
         let within = |axis: usize| dot(from, strip.tangents[axis]).abs() <= strip.reach[axis];
         (within(0) && within(1)).then(|| Hit {

@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::balls::Balls;
-use super::disc::Disc;
+use super::disk::Disk;
 use super::map::NormalMap;
 use super::mapped_ball::MappedBall;
 use super::plane::{self, MappedPlane};
@@ -53,7 +53,7 @@ const EYE: f64 = 1000.0;
 /// The same for strips, which see nearly the same direction everywhere.
 const FAR_EYE: f64 = 6000.0;
 
-/// Elevation of view and light over the disc, in degrees.
+/// Elevation of view and light over the disk, in degrees.
 const DISC_VIEW: f64 = 40.0;
 
 /// Elevation of the light over strips, in degrees: they are seen at about half of it.
@@ -121,22 +121,22 @@ impl Subject {
         }
     }
 
-    /// A brushed disc.
-    pub(crate) fn disc(size: Size) -> Self {
+    /// A brushed disk.
+    pub(crate) fn disk(size: Size) -> Self {
         let unit = unit(size);
         let (sin, cos) = DISC_VIEW.to_radians().sin_cos();
         let distance = EYE * unit;
         let eye = [0.0, -cos * distance, sin * distance];
         let camera = Camera::looking(size, eye, [0.0; 3], distance);
-        let (disc, caption) = Disc::seen_in(size, unit, DISC_VIEW);
+        let (disk, caption) = Disk::seen_in(size, unit, DISC_VIEW);
         let ahead = [0.0, cos, sin];
         Self {
-            name: "disc".into(),
+            name: "disk".into(),
             caption,
             size,
             finish: Finish::Brushed,
             camera,
-            surface: Surface::Disc(disc),
+            surface: Surface::Disk(disk),
             lights: [Light::Distant(ahead), Light::point([0.0; 3], ahead, size.width as f64)],
         }
     }
@@ -153,9 +153,9 @@ impl Subject {
     ) -> Self {
         let (sin, cos) = view.light.to_radians().sin_cos();
         let ahead = [0.0, cos, sin];
-        let centre = camera.ray(0.5 * size.width as f64, 0.5 * size.height as f64);
+        let center = camera.ray(0.5 * size.width as f64, 0.5 * size.height as f64);
         // A camera that spans angles above the horizon would have none.
-        let target = plane_point(&centre).unwrap_or([0.0; 3]);
+        let target = plane_point(&center).unwrap_or([0.0; 3]);
         let distance = 2.0 * (target[0].powi(2) + target[1].powi(2) + 1.0).sqrt();
         let lights = [Light::Distant(ahead), Light::point(target, ahead, distance)];
         Self { name, caption, size, finish: Finish::Isotropic, camera, surface, lights }

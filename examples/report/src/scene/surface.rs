@@ -1,7 +1,7 @@
 //! Surfaces: where a ray meets one, and how its normal and tangent turn along it.
 
 use super::balls::Balls;
-use super::disc::Disc;
+use super::disk::Disk;
 use super::mapped_ball::MappedBall;
 use super::plane::MappedPlane;
 use super::strips::Strips;
@@ -43,7 +43,7 @@ pub(super) enum Surface<R> {
     MappedBall(MappedBall<R>),
     Torus(Torus<R>),
     Strips(Strips<R>),
-    Disc(Disc<R>),
+    Disk(Disk<R>),
 }
 
 impl Surface<f64> {
@@ -56,7 +56,7 @@ impl Surface<f64> {
             Self::MappedBall(ball) => Surface::MappedBall(ball.cast()),
             Self::Torus(torus) => Surface::Torus(torus.cast()),
             Self::Strips(strips) => Surface::Strips(strips.cast()),
-            Self::Disc(disc) => Surface::Disc(disc.cast()),
+            Self::Disk(disk) => Surface::Disk(disk.cast()),
         }
     }
 }
@@ -71,7 +71,7 @@ macro_rules! on_shape {
             $crate::scene::surface::Surface::MappedBall($shape) => $body,
             $crate::scene::surface::Surface::Torus($shape) => $body,
             $crate::scene::surface::Surface::Strips($shape) => $body,
-            $crate::scene::surface::Surface::Disc($shape) => $body,
+            $crate::scene::surface::Surface::Disk($shape) => $body,
         }
     };
 }

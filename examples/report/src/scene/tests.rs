@@ -17,11 +17,11 @@ fn subjects(size: Size) -> Vec<Subject> {
         Subject::plane(size, &maps[0]),
         Subject::mapped_ball(size, &maps[0]),
         Subject::strips(size),
-        Subject::disc(size),
+        Subject::disk(size),
     ]
 }
 
-/// Some judged points of a scene, off the pixels' centres.
+/// Some judged points of a scene, off the pixels' centers.
 fn points(scene: &Scene<f64>, size: Size) -> Vec<[f64; 2]> {
     let judged = coverage::judged(scene, size);
     let inside = judged.iter().enumerate().filter(|(_, judged)| **judged).map(|(index, _)| index);

@@ -123,7 +123,7 @@ impl<R: Scalar> Torus<R> {
             return None;
         }
         let reach = inside.sqrt();
-        // From the point nearest to the centre: far eyes cost no digits.
+        // From the point nearest to the center: far eyes cost no digits.
         let mut t = -reach;
         let tolerance = R::lit(4.0) * R::EPSILON * bound;
         for _ in 0..STEPS {

@@ -25,7 +25,7 @@ pub(crate) use track::{Tally, Track};
 pub(crate) struct Plan {
     pub(crate) width: usize,
     pub(crate) frames: usize,
-    /// Pixels from frame to frame, at the picture's centre.
+    /// Pixels from frame to frame, at the picture's center.
     pub(crate) step: f64,
     pub(crate) sampling: Sampling,
     pub(crate) light: LightKind,
@@ -80,7 +80,7 @@ pub(crate) struct Sequence {
     pub(crate) width: usize,
     pub(crate) height: usize,
     pub(crate) frames: usize,
-    /// Pixels from frame to frame, at the picture's centre.
+    /// Pixels from frame to frame, at the picture's center.
     pub(crate) step: f64,
     /// The part of the pixels that is judged, mean over frames.
     pub(crate) judged_part: f64,

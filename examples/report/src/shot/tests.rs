@@ -87,7 +87,7 @@ fn the_balls_analytic_footprints_are_those_of_kaplanyan_s_matrix() {
         let path = Path { eye, light, curvature: trace.curvature };
         let [mut u, mut v] = trace.steps.map(|step| path.motion(step));
         (u.spin, v.spin) = (trace.spins[0], trace.spins[1]);
-        let footprint = Footprint::from_motion(path.half(), &u, &v).unwrap_or_default();
+        let footprint = Footprint::from_motion(path.half_vector(), &u, &v).unwrap_or_default();
         let [u, v] = shot.analytic[index];
         let size = u.iter().chain(&v).fold(0.0_f32, |most, x| most.max(x.abs()));
         for (got, want) in footprint.u.iter().chain(&footprint.v).zip(u.iter().chain(&v)) {

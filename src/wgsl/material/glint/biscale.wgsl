@@ -24,7 +24,7 @@ fn lobe_biscale_rest(f: f32) -> f32 {
 
 // Rust: `Biscale::global`.
 fn lobe_biscale_global(biscale: LobeBiscale) -> LobeRoughness {
-    return lobe_roughness_plus(biscale.spread, biscale.local);
+    return lobe_roughness_add(biscale.spread, biscale.local);
 }
 
 // Rust: `Biscale::widened`.
@@ -34,6 +34,6 @@ fn lobe_biscale_widened(biscale: LobeBiscale, kernel: LobeKernel) -> LobeBiscale
 
 // Rust: `Biscale::over`.
 fn lobe_biscale_over(biscale: LobeBiscale, moments: LobeSlopeMoments) -> LobeBiscale {
-    let spread = lobe_roughness_plus(biscale.spread, lobe_roughness_from_covariance(moments.covariance));
+    let spread = lobe_roughness_add(biscale.spread, lobe_roughness_from_covariance(moments.covariance));
     return LobeBiscale(spread, biscale.local);
 }

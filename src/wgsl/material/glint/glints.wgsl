@@ -1,5 +1,12 @@
 // A glittering material: details of two scales, and how many there are. Rust: src/material/glint/glints.rs.
 
+// WGSL only: `Groove` as a number.
+const LOBE_GROOVE_NONE: u32 = 0u;
+// WGSL only: `Groove` as a number.
+const LOBE_GROOVE_ALONG_U: u32 = 1u;
+// WGSL only: `Groove` as a number.
+const LOBE_GROOVE_ALONG_V: u32 = 2u;
+
 // Rust: `Glints`. The variation lies in [0, 4], the share in [0, 1]; the seed may be any.
 struct LobeGlints {
     biscale: LobeBiscale,
@@ -30,14 +37,4 @@ fn lobe_glints_ratio(a: f32, b: f32) -> f32 {
 // Rust: `Glints::detail_size`.
 fn lobe_glints_detail_size(glints: LobeGlints) -> f32 {
     return lobe_power_of_two(lobe_exponent(sqrt(2.0) / sqrt(glints.density)));
-}
-
-// Rust: `Glints::lobe`, with what `GlintLobe::new` does there: no two files import from each other.
-fn lobe_glints_lobe(glints: LobeGlints, pixel: LobePatch) -> LobeGlintLobe {
-    let grid = lobe_grid_stretched(pixel, glints.stretch, lobe_glints_detail_size(glints));
-    let seeded = LobeGrid(grid.pixel, grid.width, grid.exponent, grid.coarser, glints.seed);
-    return LobeGlintLobe(
-        vec2f(0.0, 0.0), glints.biscale, lobe_biscale_global(glints.biscale), seeded, glints.density, glints.variation,
-        glints.share, glints.groove
-    );
 }

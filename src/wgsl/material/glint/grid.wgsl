@@ -1,7 +1,5 @@
 // Which cells a pixel covers, on two nested grids, and how much of each. Rust: src/material/glint/grid.rs.
 
-// Rust: `ANISOTROPY_LIMIT`.
-const LOBE_ANISOTROPY_LIMIT: u32 = 16u;
 // Rust: `RAMP`.
 const LOBE_GRID_RAMP: f32 = 0.5;
 // Rust: `EVEN`.

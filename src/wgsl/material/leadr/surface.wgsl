@@ -2,7 +2,7 @@
 
 // Rust: `Leadr`.
 struct LobeLeadr {
-    shape: LobeTilted,
+    shape: LobeNonCentered,
     factor: vec3f,
     cell: f32,
 }
@@ -24,27 +24,27 @@ struct LobeFacet {
 }
 
 // Rust: `Leadr::new`.
-fn lobe_leadr_new(lobe: Lobe) -> LobeLeadr {
+fn lobe_leadr_new(lobe: LobeLobe) -> LobeLeadr {
     let covariance = lobe_roughness_covariance(lobe.roughness);
-    return LobeLeadr(lobe_shape(lobe), lobe_psd_cholesky(covariance), covariance.root_det);
+    return LobeLeadr(lobe_lobe_shape(lobe), lobe_psd_cholesky(covariance), covariance.root_det);
 }
 
-// Rust: `Leadr::specular`, with masking and shadowing. 0 for NaN.
-fn lobe_leadr_specular(surface: LobeLeadr, wo: vec3f, wi: vec3f) -> f32 {
-    let area = lobe_max(lobe_tilted_mean_area(surface.shape, wi), 0.0);
-    let brdf = lobe_beckmann_brdf(lobe_tilted_pair(surface.shape, wo, wi));
+// Rust: `Leadr::brdf_cos`, with masking and shadowing. 0 for NaN.
+fn lobe_leadr_brdf_cos(surface: LobeLeadr, wo: vec3f, wi: vec3f) -> f32 {
+    let area = lobe_max(lobe_non_centered_mean_area(surface.shape, wi), 0.0);
+    let brdf = lobe_beckmann_brdf(lobe_non_centered_pair(surface.shape, wo, wi));
     return lobe_below_infinity(lobe_defined(brdf * area));
 }
 
-// Rust: `Leadr::specular`, with masking alone. 0 for NaN.
-fn lobe_leadr_specular_unshadowed(surface: LobeLeadr, wo: vec3f, wi: vec3f) -> f32 {
-    return lobe_beckmann_unshadowed(lobe_tilted_pair(surface.shape, wo, wi));
+// Rust: `Leadr::brdf_cos`, with masking alone. 0 for NaN.
+fn lobe_leadr_unshadowed_brdf_cos(surface: LobeLeadr, wo: vec3f, wi: vec3f) -> f32 {
+    return lobe_beckmann_unshadowed_brdf_cos(lobe_non_centered_pair(surface.shape, wo, wi));
 }
 
 // Rust: `Leadr::light_reaching`. 0 for NaN.
 fn lobe_leadr_light_reaching(surface: LobeLeadr, wo: vec3f, wi: vec3f) -> f32 {
-    let o = lobe_tilted_view(surface.shape, wo);
-    let i = lobe_tilted_view(surface.shape, wi);
+    let o = lobe_non_centered_view(surface.shape, wo);
+    let i = lobe_non_centered_view(surface.shape, wi);
     let area = lobe_max(lobe_beckmann_projected_area(o), LOBE_MIN_POSITIVE);
     let shaded = lobe_max(o.mean_area, 0.0) * lobe_beckmann_lambda(i);
     return select(0.0, lobe_defined(area / (area + shaded)), i.mean_area > 0.0);

@@ -19,7 +19,7 @@ struct LobeEllipse {
 struct LobeEllipseRows {
     corner_u: vec2u,
     corner_v: vec2u,
-    centre: vec2f,
+    midpoint: vec2f,
     square: LobePsd,
     first: i32,
     last: i32,
@@ -58,15 +58,15 @@ fn lobe_ellipse_of(pixel: LobePatch) -> LobeEllipse {
 // Rust: `Ellipse::rows`.
 fn lobe_ellipse_rows(ellipse: LobeEllipse, exponent: i32) -> LobeEllipseRows {
     let inverse = lobe_power_of_two(-exponent);
-    let centre = vec2f(
+    let midpoint = vec2f(
         lobe_ellipse_bounded(lobe_tile_place(ellipse.tile.x, ellipse.uv.x, exponent)) - 0.5,
         lobe_ellipse_bounded(lobe_tile_place(ellipse.tile.y, ellipse.uv.y, exponent)) - 0.5
     );
     let square =
-        lobe_psd_plus(lobe_psd_scaled(ellipse.square, inverse * inverse), LobePsd(1.0, 0.0, 1.0, 1.0));
-    let ends = lobe_ellipse_between(centre.y, sqrt(square.yy));
+        lobe_psd_add(lobe_psd_mul(ellipse.square, inverse * inverse), LobePsd(1.0, 0.0, 1.0, 1.0));
+    let ends = lobe_ellipse_between(midpoint.y, sqrt(square.yy));
     return LobeEllipseRows(
-        lobe_tile_corner(ellipse.tile.x, exponent), lobe_tile_corner(ellipse.tile.y, exponent), centre, square, ends.x,
+        lobe_tile_corner(ellipse.tile.x, exponent), lobe_tile_corner(ellipse.tile.y, exponent), midpoint, square, ends.x,
         ends.y
     );
 }
@@ -78,9 +78,9 @@ fn lobe_ellipse_bounded(x: f32) -> f32 {
 }
 
 // Rust: `between`.
-fn lobe_ellipse_between(centre: f32, reach: f32) -> vec2i {
-    let first = -lobe_floor(reach - centre);
-    let last = lobe_floor(centre + reach);
+fn lobe_ellipse_between(midpoint: f32, reach: f32) -> vec2i {
+    let first = -lobe_floor(reach - midpoint);
+    let last = lobe_floor(midpoint + reach);
     let most = first + LOBE_ELLIPSE_ROWS - 1;
     return vec2i(first, select(most, last, last < most));
 }
@@ -88,9 +88,9 @@ fn lobe_ellipse_between(centre: f32, reach: f32) -> vec2i {
 // Rust: `Rows::row`.
 fn lobe_ellipse_row(rows: LobeEllipseRows, t: i32) -> LobeEllipseRow {
     let psd = rows.square;
-    let offset = f32(t) - rows.centre.y;
+    let offset = f32(t) - rows.midpoint.y;
     let rest = lobe_max(1.0 - offset * offset / psd.yy, 0.0);
-    let middle = rows.centre.x + psd.xy / psd.yy * offset;
+    let middle = rows.midpoint.x + psd.xy / psd.yy * offset;
     let square = psd.root_det * (psd.root_det / psd.yy);
     let ends = lobe_ellipse_between(middle, sqrt(square * rest));
     return LobeEllipseRow(ends.x, ends.y, middle, 1.0 / square, rest);

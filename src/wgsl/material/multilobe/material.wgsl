@@ -18,12 +18,3 @@ fn lobe_multi_lobe_new(roughness: LobeRoughness, density: f32) -> LobeMultiLobe 
 fn lobe_multi_lobe_facet_size(facets: LobeMultiLobe) -> f32 {
     return 1.0 / sqrt(facets.density);
 }
-
-// Rust: `MultiLobe::lobe`. NaN counts as 0.
-fn lobe_multi_lobe_lobe(facets: LobeMultiLobe, dictionary: LobeDictionary, pixel: LobePatch) -> LobePatchLobe {
-    let cells = lobe_cells_new(
-        lobe_ellipse_of(pixel), lobe_multi_lobe_facet_size(facets), facets.density, facets.variation, facets.share,
-        facets.seed
-    );
-    return LobePatchLobe(dictionary, facets.roughness, LobeKernel(LobePsd(0.0, 0.0, 0.0, 0.0)), cells);
-}

@@ -64,19 +64,19 @@ fn lobe_pieces_around(pieces: LobePieces, place: vec2f) -> LobePieces {
 
 // Rust: `Pieces::piece`.
 fn lobe_pieces_piece(pieces: LobePieces, k: i32) -> LobePiece {
-    var centre = 0.0;
+    var midpoint = 0.0;
     var along = lobe_min(pieces.longest, pieces.along);
     if k != 0 {
         let number = f32(abs(k));
         let low = (number - 0.5) * pieces.longest;
         let high = lobe_min((number + 0.5) * pieces.longest, 0.5 * pieces.along);
-        centre = select(0.5 * (low + high), -(0.5 * (low + high)), k < 0);
+        midpoint = select(0.5 * (low + high), -(0.5 * (low + high)), k < 0);
         along = lobe_max(high - low, 0.0);
     }
     let square = pieces.across * pieces.across;
     let share = select(1.0, along / pieces.along, pieces.along > pieces.longest);
     return LobePiece(
-        vec2f(pieces.axis.x * centre, pieces.axis.y * centre), share,
+        vec2f(pieces.axis.x * midpoint, pieces.axis.y * midpoint), share,
         square, along * along - square, pieces.axis
     );
 }

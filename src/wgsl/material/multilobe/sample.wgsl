@@ -1,18 +1,18 @@
 // Directions drawn by what a pixel sees of many facets, and their density. Rust: src/material/multilobe/sample.rs.
 
-// Rust: `Sampled`. A weight of 0 and a direction without length where Rust has none.
-struct LobeSampled {
+// Rust: `DirectionSample`. A weight of 0 and a direction without length where Rust has none.
+struct LobeDirectionSample {
     wi: vec3f,
     pdf: f32,
     weight: f32,
 }
 
-// Rust: `PatchLobe::sample`. None for NaN.
-fn lobe_patch_lobe_sample(lobe: LobePatchLobe, wo: vec3f, u: array<f32, 7>) -> LobeSampled {
+// Rust: `PatchNdf::sample`. None for NaN.
+fn lobe_patch_ndf_sample(lobe: LobePatchNdf, wo: vec3f, u: array<f32, 7>) -> LobeDirectionSample {
     if !(wo.z > 0.0) {
-        return LobeSampled(vec3f(0.0, 0.0, 0.0), 0.0, 0.0);
+        return LobeDirectionSample(vec3f(0.0, 0.0, 0.0), 0.0, 0.0);
     }
-    let drawn = lobe_normal_of(lobe_patch_lobe_sample_slope(lobe, u));
+    let drawn = lobe_normal_of(lobe_patch_ndf_sample_slope(lobe, u));
     let opposite = vec3f(-drawn.x, -drawn.y, drawn.z);
     let seen = lobe_max(lobe_dot(wo, drawn), 0.0);
     let other = lobe_max(lobe_dot(wo, opposite), 0.0);
@@ -24,27 +24,27 @@ fn lobe_patch_lobe_sample(lobe: LobePatchLobe, wo: vec3f, u: array<f32, 7>) -> L
     if masking > 0.0 {
         weight = lobe_cavity_masking_shadowing(wo, wi, m) / masking;
     }
-    return LobeSampled(wi, lobe_patch_lobe_pdf(lobe, wo, wi), weight);
+    return LobeDirectionSample(wi, lobe_patch_ndf_pdf(lobe, wo, wi), weight);
 }
 
-// Rust: `PatchLobe::pdf`. 0 for NaN.
-fn lobe_patch_lobe_pdf(lobe: LobePatchLobe, wo: vec3f, wi: vec3f) -> f32 {
+// Rust: `PatchNdf::pdf`. 0 for NaN.
+fn lobe_patch_ndf_pdf(lobe: LobePatchNdf, wo: vec3f, wi: vec3f) -> f32 {
     let h = lobe_half_vector(wo, wi);
     let masking = lobe_cavity_masking(wo, h);
     if masking > 0.0 {
-        return lobe_below_infinity(lobe_defined(lobe_patch_lobe_d(lobe, h) * (masking / (4.0 * wo.z))));
+        return lobe_below_infinity(lobe_defined(lobe_patch_ndf_d(lobe, h) * (masking / (4.0 * wo.z))));
     }
     return 0.0;
 }
 
-// Rust: `PatchLobe::sample_slope`. 0 for NaN.
-fn lobe_patch_lobe_sample_slope(lobe: LobePatchLobe, u: array<f32, 7>) -> vec2f {
+// Rust: `PatchNdf::sample_slope`. 0 for NaN.
+fn lobe_patch_ndf_sample_slope(lobe: LobePatchNdf, u: array<f32, 7>) -> vec2f {
     var facets = LobeFacets(-1, vec2f(0.0, 0.0), vec2u(0u, 0u));
-    if !lobe_patch_lobe_is_smooth(lobe) {
+    if !lobe_patch_ndf_is_smooth(lobe) {
         facets = lobe_cells_chosen(lobe.cells, lobe.dictionary, u[0]);
     }
     if facets.level < 0 {
-        return lobe_patch_lobe_sample_smooth(lobe, vec2f(u[1], u[2]));
+        return lobe_patch_ndf_sample_smooth(lobe, vec2f(u[1], u[2]));
     }
     let plane = lobe_plane_new(lobe.roughness, lobe.spread);
     let piece = lobe_pieces_piece_at(plane.pieces, u[5]);
@@ -61,8 +61,8 @@ fn lobe_patch_lobe_sample_slope(lobe: LobePatchLobe, u: array<f32, 7>) -> vec2f 
     return vec2f(lobe_defined(slope.x), lobe_defined(slope.y));
 }
 
-// Rust: `PatchLobe::sample_smooth`. 0 for NaN.
-fn lobe_patch_lobe_sample_smooth(lobe: LobePatchLobe, u: vec2f) -> vec2f {
+// Rust: `PatchNdf::sample_smooth`. 0 for NaN.
+fn lobe_patch_ndf_sample_smooth(lobe: LobePatchNdf, u: vec2f) -> vec2f {
     let m = lobe_roughness_chermain_matrix(lobe_roughness_widened(lobe.roughness, lobe.spread), 1.0);
     let x = lobe_normal_quantile(1.0 - u.x);
     let y = lobe_normal_quantile(1.0 - u.y);

@@ -16,7 +16,7 @@ use lobe_report::spirv::{assembled, instructions};
 use method::{FLOATS, METHODS, Method};
 use say::say;
 
-/// Costs of filtered shading against unfiltered, of every method of the mirror.
+/// Costs of filtered shading against unfiltered, of every method of the WGSL port.
 #[derive(Parser)]
 struct Options {
     /// Roughness of the surface.

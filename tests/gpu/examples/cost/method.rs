@@ -16,8 +16,7 @@ pub(crate) struct Method {
 
 const ISOTROPIC: &str = "let r = $brdf(lobe_isotropic_pair(lobe_isotropic_new(alpha), wo, wi));";
 
-const MATRIX: &str =
-    "let r = $brdf(lobe_full_pair(lobe_full_new(lobe_roughness_from_alpha(alpha)), wo, wi));";
+const MATRIX: &str = "let r = $brdf(lobe_anisotropic_pair(lobe_anisotropic_new(lobe_roughness_from_alpha(alpha)), wo, wi));";
 
 /// The roughness of a G-buffer's texel, then as without a filter.
 const DEFERRED: &str = "let wide = lobe_tokuyoshi_kaplanyan_deferred_alpha(
@@ -32,16 +31,16 @@ let r = $brdf(lobe_axis_aligned_pair(lobe_axis_aligned_new(wide.x, wide.y), wo, 
 
 const VARIANCE: &str = "let kernel = lobe_kernel_of($footprint, LOBE_PIXEL_FILTER_BOX);
 let wide = lobe_roughness_widened(lobe_roughness_from_alpha(alpha), kernel);
-let r = $brdf(lobe_full_pair(lobe_full_new(wide), wo, wi));";
+let r = $brdf(lobe_anisotropic_pair(lobe_anisotropic_new(wide), wo, wi));";
 
 const PEAK: &str = "let kernel = lobe_kernel_of($footprint, LOBE_PIXEL_FILTER_BOX);
 let wide = lobe_roughness_peak_fitted(lobe_roughness_from_alpha(alpha), kernel);
-let r = $brdf(lobe_full_pair(lobe_full_new(wide), wo, wi));";
+let r = $brdf(lobe_anisotropic_pair(lobe_anisotropic_new(wide), wo, wi));";
 
 const DISK: &str =
     "let kernel = lobe_disk_kernel_of($hu, $hv, LOBE_PIXEL_FILTER_TOKUYOSHI_KAPLANYAN);
 let wide = lobe_roughness_widened_on_disk(lobe_roughness_from_alpha(alpha), kernel);
-let r = $brdf(lobe_full_pair(lobe_full_new(wide), wo, wi));";
+let r = $brdf(lobe_anisotropic_pair(lobe_anisotropic_new(wide), wo, wi));";
 
 const RECTANGLE: &str = "let widths = lobe_footprint_extents($footprint);
 let mean = lobe_kaplanyan_rectangle_mean(vec2f(alpha, alpha), lobe_slope_of(h), widths);
@@ -49,7 +48,8 @@ let shape = lobe_isotropic_new(alpha);
 let visibility = lobe_ggx_visibility(lobe_isotropic_view(shape, wo), lobe_isotropic_view(shape, wi));
 let r = mean / (h.z * h.z * h.z * h.z) * visibility;";
 
-const EXACT: &str = "let shape = lobe_shape(lobe_centred(lobe_roughness_from_alpha(alpha)));
+const EXACT: &str =
+    "let shape = lobe_lobe_shape(lobe_lobe_centered(lobe_roughness_from_alpha(alpha)));
 let r = lobe_ggx_brdf_over(shape, wo, wi, $footprint);";
 
 const GGX_BASE: &str = "GGX, isotropic, no filter";

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::{LazyLock, Mutex};
 
 use lobe::material::Fresnel;
-use lobe::material::multilobe::{Dictionary, Means, PatchLobe, Recipe, Sampled};
+use lobe::material::multilobe::{Dictionary, DirectionSample, LobeMeans, PatchNdf, Recipe};
 use lobe::ndf::{cavity_masking, cavity_masking_shadowing};
 use lobe::shade::MultiLobeMaterial;
 use lobe::slope::MeanFrame;
@@ -21,7 +21,7 @@ const RECIPE: Recipe = Recipe {
     levels: 8,
     intervals: 64,
     width: 0.0625,
-    means: Means::Stratified,
+    means: LobeMeans::Stratified,
     seed: 1,
 };
 
@@ -47,12 +47,12 @@ pub(super) fn dictionary<R: Real>() -> &'static Dictionary<R> {
 }
 
 /// A surface under a pixel.
-fn pixel<R: Real>(x: &mut Reader<'_>) -> PatchLobe<'static, R> {
+fn pixel<R: Real>(x: &mut Reader<'_>) -> PatchNdf<'static, R> {
     let facets = x.facets::<R>();
-    facets.lobe(dictionary(), &x.patch())
+    facets.ndf(dictionary(), &x.patch())
 }
 
-impl<R: Real> Flat<R> for PatchLobe<'_, R> {
+impl<R: Real> Flat<R> for PatchNdf<'_, R> {
     const WGSL: &'static str = "put(0u, f32(r.cells.exponent)); put(1u, r.cells.coarser);";
     fn flat(self, out: &mut Vec<R>) {
         out.extend([R::lit(f64::from(self.exponent())), self.coarser()]);
@@ -60,7 +60,7 @@ impl<R: Real> Flat<R> for PatchLobe<'_, R> {
 }
 
 /// Without the pdf, which has a twin of its own: of a direction that is off by a rounding it has no bound.
-impl<R: Real> Flat<R> for Option<Sampled<R>> {
+impl<R: Real> Flat<R> for Option<DirectionSample<R>> {
     const WGSL: &'static str =
         "put(0u, r.wi.x); put(1u, r.wi.y); put(2u, r.wi.z); put(3u, r.weight);";
     fn flat(self, out: &mut Vec<R>) {
@@ -120,70 +120,70 @@ super::twins! {
         marginal.quantile(x.f())
     };
     "multi_lobe_new" flips SIZES (Facets, Patch)
-        "lobe_multi_lobe_lobe(lobe_multi_lobe_new($0.roughness, $0.density), LobeDictionary(48u, 8u, 64u), $1)" => |x| {
+        "lobe_multi_lobe_ndf(lobe_multi_lobe_new($0.roughness, $0.density), LobeDictionary(48u, 8u, 64u), $1)" => |x| {
         pixel::<R>(x)
     };
     "multi_lobe_facet_size" (Facets) "lobe_multi_lobe_facet_size($0)" => |x| x.facets::<R>().facet_size();
-    "multi_lobe_lobe" flips SIZES (Facets, Patch)
-        "lobe_multi_lobe_lobe($0, LobeDictionary(48u, 8u, 64u), $1)" => |x| pixel::<R>(x);
-    "patch_lobe_over" flips LEVELS (Facets, Patch, Mean, Psd, Slope)
-        "lobe_patch_lobe_slope_pdf(lobe_patch_lobe_over(patched($0, $1), lobe_slope_moments_new($2, $3)), $4)"
+    "multi_lobe_ndf" flips SIZES (Facets, Patch)
+        "lobe_multi_lobe_ndf($0, LobeDictionary(48u, 8u, 64u), $1)" => |x| pixel::<R>(x);
+    "patch_ndf_over" flips LEVELS (Facets, Patch, Mean, Psd, Slope)
+        "lobe_patch_ndf_slope_pdf(lobe_patch_ndf_over(patched($0, $1), lobe_slope_moments_new($2, $3)), $4)"
         => |x| {
         let pixel = pixel::<R>(x);
         pixel.over(&moments(x)).slope_pdf(x.vec::<R, 2>())
     };
-    "patch_lobe_widened" flips LEVELS (Facets, Patch, Blurring, Slope)
-        "lobe_patch_lobe_slope_pdf(lobe_patch_lobe_widened(patched($0, $1), $2), $3)"
+    "patch_ndf_widened" flips LEVELS (Facets, Patch, Blurring, Slope)
+        "lobe_patch_ndf_slope_pdf(lobe_patch_ndf_widened(patched($0, $1), $2), $3)"
         => |x| {
         let pixel = pixel::<R>(x);
         let pixel = pixel.widened(&x.kernel());
         pixel.slope_pdf(x.vec::<R, 2>())
     };
-    "patch_lobe_smooth" (Facets, Patch, Kernel, Slope)
-        "lobe_beckmann_slope_pdf(lobe_full_normal(lobe_patch_lobe_smooth(lobe_patch_lobe_widened(patched($0, $1), $2)), vec3f(-$3, 1.0)))"
+    "patch_ndf_smooth" (Facets, Patch, Kernel, Slope)
+        "lobe_beckmann_slope_pdf(lobe_anisotropic_normal(lobe_patch_ndf_smooth(lobe_patch_ndf_widened(patched($0, $1), $2)), vec3f(-$3, 1.0)))"
         => |x| {
         let pixel = pixel::<R>(x);
         pixel.widened(&x.kernel()).smooth().slope_pdf(x.vec::<R, 2>())
     };
-    "patch_lobe_slope_pdf" flips LEVELS (Facets, Patch, Slope)
-        "lobe_patch_lobe_slope_pdf(patched($0, $1), $2)" => |x| {
+    "patch_ndf_slope_pdf" flips LEVELS (Facets, Patch, Slope)
+        "lobe_patch_ndf_slope_pdf(patched($0, $1), $2)" => |x| {
         let pixel = pixel::<R>(x);
         pixel.slope_pdf(x.vec::<R, 2>())
     };
-    "patch_lobe_d" flips LEVELS (Facets, Patch, Half)
-        "lobe_patch_lobe_d(patched($0, $1), $2)" => |x| {
+    "patch_ndf_d" flips LEVELS (Facets, Patch, Half)
+        "lobe_patch_ndf_d(patched($0, $1), $2)" => |x| {
         let pixel = pixel::<R>(x);
         pixel.d(x.vec::<R, 3>())
     };
-    "patch_lobe_brdf" flips LEVELS (Facets, Patch, Blurring, Mirrored)
-        "lobe_patch_lobe_brdf(lobe_patch_lobe_widened(patched($0, $1), $2), $3)"
+    "patch_ndf_brdf" flips LEVELS (Facets, Patch, Blurring, Mirrored)
+        "lobe_patch_ndf_brdf(lobe_patch_ndf_widened(patched($0, $1), $2), $3)"
         => |x| {
         let pixel = pixel::<R>(x);
         let pixel = pixel.widened(&x.kernel());
         pixel.brdf(x.vec::<R, 3>(), x.vec::<R, 3>())
     };
-    "patch_lobe_pdf" flips LEVELS (Facets, Patch, Blurring, Mirrored)
-        "lobe_patch_lobe_pdf(lobe_patch_lobe_widened(patched($0, $1), $2), $3)" => |x| {
+    "patch_ndf_pdf" flips LEVELS (Facets, Patch, Blurring, Mirrored)
+        "lobe_patch_ndf_pdf(lobe_patch_ndf_widened(patched($0, $1), $2), $3)" => |x| {
         let pixel = pixel::<R>(x);
         let pixel = pixel.widened(&x.kernel());
         pixel.pdf(x.vec::<R, 3>(), x.vec::<R, 3>())
     };
-    "patch_lobe_sample_slope" flips DRAWN (Facets, Patch, Blurring, Numbers)
-        "lobe_patch_lobe_sample_slope(lobe_patch_lobe_widened(patched($0, $1), $2), $3)" => |x| {
+    "patch_ndf_sample_slope" flips DRAWN (Facets, Patch, Blurring, Numbers)
+        "lobe_patch_ndf_sample_slope(lobe_patch_ndf_widened(patched($0, $1), $2), $3)" => |x| {
         let pixel = pixel::<R>(x);
         let pixel = pixel.widened(&x.kernel());
         pixel.sample_slope([0; 7].map(|_| x.f()))
     };
-    "patch_lobe_sample" flips DRAWN (Facets, Patch, Blurring, Direction, Numbers)
-        "lobe_patch_lobe_sample(lobe_patch_lobe_widened(patched($0, $1), $2), $3, $4)" => |x| {
+    "patch_ndf_sample" flips DRAWN (Facets, Patch, Blurring, Direction, Numbers)
+        "lobe_patch_ndf_sample(lobe_patch_ndf_widened(patched($0, $1), $2), $3, $4)" => |x| {
         let pixel = pixel::<R>(x);
         let pixel = pixel.widened(&x.kernel());
         let wo = x.vec::<R, 3>();
         pixel.sample(wo, [0; 7].map(|_| x.f()))
     };
-    "patch_lobe_evaluate" flips LEVELS (Facets, Patch, Tilt, Relief, Mirrored, Reflectance)
-        "lobe_patch_lobe_evaluate(
-            lobe_patch_lobe_over(patched($0, $1), lobe_slope_moments_new($2, $3)),
+    "patch_ndf_evaluate" flips LEVELS (Facets, Patch, Tilt, Relief, Mirrored, Reflectance)
+        "lobe_patch_ndf_evaluate(
+            lobe_patch_ndf_over(patched($0, $1), lobe_slope_moments_new($2, $3)),
             lobe_mean_frame_of($2), $4, lobe_fresnel_schlick($5, lobe_half_cosine($4)))" => |x| {
         let (facets, patch) = (x.facets::<R>(), x.patch());
         let moments = moments(x);

@@ -1,16 +1,16 @@
 //! Twins of `src/filter`, `src/material` and `src/shade.rs`.
 
 use lobe::filter::{
-    DiskKernel, SphericalGaussian, beckmann_rectangle_mean, box_peak_alpha, gaussian_peak_alpha,
-    ggx_gaussian_mean, kaplanyan_deferred_alpha, kaplanyan_deferred_alphas, kaplanyan_proxy_alpha,
-    kaplanyan_rectangle_mean, kaplanyan_rectangle_mean_as_printed, largest_deferred_alpha,
-    preset::Engine, projected_alpha, quad_normal_footprint, tokuyoshi_deferred_alpha,
+    DiskKernel, SphericalGaussian, beckmann_rectangle_mean, box_peak_alpha, engine::Engine,
+    gaussian_peak_alpha, ggx_gaussian_mean, kaplanyan_deferred_alpha, kaplanyan_deferred_alphas,
+    kaplanyan_proxy_alpha, kaplanyan_rectangle_mean, kaplanyan_rectangle_mean_as_printed,
+    largest_deferred_alpha, projected_alpha, quad_normal_footprint, tokuyoshi_deferred_alpha,
     tokuyoshi_kaplanyan_deferred_alpha,
 };
 use lobe::material::Fresnel;
 use lobe::shade::Material;
 use lobe::slope::direction::half_vector;
-use lobe::{Ggx, Kernel, Real, Shape};
+use lobe::{Ggx, Kernel, LobeShape, Real};
 
 use super::value::Reader;
 
@@ -39,9 +39,9 @@ super::twins! {
         Kernel::tokuyoshi_forward(x.vec::<R, 2>(), x.vec())
     };
     "kernel_from_covariance" (Psd) "lobe_kernel_from_covariance($0)" => |x| Kernel::from_covariance(x.psd::<R>());
-    "kernel_then" (Kernel, Kernel) "lobe_kernel_then($0, $1)" => |x| {
+    "kernel_add" (Kernel, Kernel) "lobe_kernel_add($0, $1)" => |x| {
         let kernel = x.kernel::<R>();
-        kernel.then(&x.kernel())
+        kernel + x.kernel()
     };
     // As a kernel again: one that is nearly round has no axes, and the last bit chooses them.
     "kernel_footprint" (Kernel, Variance) "lobe_kernel_of(lobe_kernel_footprint($0, $1), $1)" => |x| {
@@ -56,7 +56,7 @@ super::twins! {
         let roughness = x.roughness::<R>();
         roughness.widened(&x.kernel())
     };
-    "widened" (Lobe, Kernel) "lobe_widened($0, $1)" => |x| {
+    "lobe_widened" (Lobe, Kernel) "lobe_lobe_widened($0, $1)" => |x| {
         let lobe = x.lobe::<R>();
         lobe.widened(&x.kernel())
     };
@@ -97,11 +97,11 @@ super::twins! {
     "disk_kernel_from_covariance" (Psd) "lobe_disk_kernel_from_covariance($0)" => |x| {
         DiskKernel::from_covariance(x.psd::<R>())
     };
-    "disk_kernel_then" (Kernel, Kernel)
-        "lobe_disk_kernel_then(lobe_disk_kernel_from_covariance($0.covariance),
+    "disk_kernel_add" (Kernel, Kernel)
+        "lobe_disk_kernel_add(lobe_disk_kernel_from_covariance($0.covariance),
             lobe_disk_kernel_from_covariance($1.covariance))" => |x| {
         let kernel = x.disk::<R>();
-        kernel.then(&x.disk())
+        kernel + x.disk()
     };
     "disk_kernel_capped" (Kernel, Limit)
         "lobe_disk_kernel_capped(lobe_disk_kernel_from_covariance($0.covariance), $1)" => |x| {
@@ -143,24 +143,24 @@ super::twins! {
         let light = light::<R>(x);
         light.footprint(x.vec::<R, 3>())
     };
-    "ggx_parallelogram_mean" (Lobe, Slope, Footprint) "lobe_ggx_parallelogram_mean(lobe_shape($0), $1, $2)" => |x| {
+    "ggx_parallelogram_mean" (Lobe, Slope, Footprint) "lobe_ggx_parallelogram_mean(lobe_lobe_shape($0), $1, $2)" => |x| {
         let (ggx, slope) = (Ggx::new(x.lobe::<R>().shape()), x.vec::<R, 2>());
         ggx.parallelogram_mean(slope, &x.footprint())
     };
-    "ggx_parallelogram_mean" (Groove, Covering) "lobe_ggx_parallelogram_mean(lobe_shape($0), $1)" => |x| {
+    "ggx_parallelogram_mean" (Groove, Covering) "lobe_ggx_parallelogram_mean(lobe_lobe_shape($0), $1)" => |x| {
         let (ggx, slope) = (Ggx::new(x.lobe::<R>().shape()), x.vec::<R, 2>());
         ggx.parallelogram_mean(slope, &x.footprint())
     };
-    "ggx_rectangle_mean" (Lobe, Slope, Widths) "lobe_ggx_rectangle_mean(lobe_shape($0), $1, $2)" => |x| {
+    "ggx_rectangle_mean" (Lobe, Slope, Widths) "lobe_ggx_rectangle_mean(lobe_lobe_shape($0), $1, $2)" => |x| {
         let (ggx, slope) = (Ggx::new(x.lobe::<R>().shape()), x.vec::<R, 2>());
         ggx.rectangle_mean(slope, x.vec())
     };
-    "ggx_brdf_over" (Lobe, Pair, Footprint) "lobe_ggx_brdf_over(lobe_shape($0), $1, $2)" => |x| {
+    "ggx_brdf_over" (Lobe, Pair, Footprint) "lobe_ggx_brdf_over(lobe_lobe_shape($0), $1, $2)" => |x| {
         let ggx = Ggx::new(x.lobe::<R>().shape());
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
         ggx.brdf_over(wo, wi, &x.footprint())
     };
-    "ggx_brdf_over" (Groove, Mirroring) "lobe_ggx_brdf_over(lobe_shape($0), $1)" => |x| {
+    "ggx_brdf_over" (Groove, Mirroring) "lobe_ggx_brdf_over(lobe_lobe_shape($0), $1)" => |x| {
         let ggx = Ggx::new(x.lobe::<R>().shape());
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
         ggx.brdf_over(wo, wi, &x.footprint())
@@ -226,7 +226,7 @@ super::twins! {
         let fresnel = Fresnel::conductor(x.vec::<R, 3>(), x.vec()).expect("in range");
         fresnel.reflectance(x.f())
     };
-    "bake" (Lobe, Kernel, Direction) "lobe_tilted_form(lobe_bake($0, $1), $2, $2)" => |x| {
+    "material_bake" (Lobe, Kernel, Direction) "lobe_non_centered_form(lobe_material_bake($0, $1), $2, $2)" => |x| {
         let material = Material::ggx(x.lobe::<R>(), Fresnel::white());
         let shading = material.bake(&x.kernel());
         let m = x.vec();
@@ -238,19 +238,19 @@ super::twins! {
         wo[0] * h[0] + wo[1] * h[1] + wo[2] * h[2]
     };
     "ggx_evaluate" (Lobe, Kernel, Pair, Reflectance)
-        "lobe_ggx_evaluate(lobe_bake($0, $1), $2, lobe_fresnel_schlick($3, lobe_half_cosine($2)))" => |x| {
+        "lobe_ggx_evaluate(lobe_material_bake($0, $1), $2, lobe_fresnel_schlick($3, lobe_half_cosine($2)))" => |x| {
         let (lobe, kernel) = (x.lobe::<R>(), x.kernel());
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
         Material::ggx(lobe, Fresnel::schlick(x.vec()).expect("in range")).bake(&kernel).evaluate(wo, wi)
     };
     "beckmann_evaluate" (Lobe, Kernel, Pair, Reflectance)
-        "lobe_beckmann_evaluate(lobe_bake($0, $1), $2, lobe_fresnel_schlick($3, lobe_half_cosine($2)))" => |x| {
+        "lobe_beckmann_evaluate(lobe_material_bake($0, $1), $2, lobe_fresnel_schlick($3, lobe_half_cosine($2)))" => |x| {
         let (lobe, kernel) = (x.lobe::<R>(), x.kernel());
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
         Material::beckmann(lobe, Fresnel::schlick(x.vec()).expect("in range")).bake(&kernel).evaluate(wo, wi)
     };
     "ggx_evaluate_over" (Lobe, Pair, Footprint, Reflectance)
-        "lobe_ggx_evaluate_over(lobe_shape($0), $1, $2, lobe_fresnel_schlick($3, lobe_half_cosine($1)))" => |x| {
+        "lobe_ggx_evaluate_over(lobe_lobe_shape($0), $1, $2, lobe_fresnel_schlick($3, lobe_half_cosine($1)))" => |x| {
         let lobe = x.lobe::<R>();
         let (wo, wi, footprint) = (x.vec::<R, 3>(), x.vec::<R, 3>(), x.footprint());
         let fresnel = Fresnel::schlick(x.vec()).expect("in range");

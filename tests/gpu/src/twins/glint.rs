@@ -3,7 +3,8 @@
 use std::hash::{Hash, Hasher};
 
 use lobe::material::Fresnel;
-use lobe::material::glint::{Binomial, Cell, GlintLobe, Grid, Patch, hue_wheel, light_blur};
+use lobe::material::cells::{Cell, Patch};
+use lobe::material::glint::{Binomial, GlintNdf, Grid, hue_wheel, light_blur};
 use lobe::shade::{GlintMaterial, GlintShading};
 use lobe::{Kernel, Real, SlopeMoments};
 
@@ -92,9 +93,9 @@ fn cell(x: &mut Reader<'_>) -> Cell {
 }
 
 /// A material under a pixel.
-fn pixel<R: Real>(x: &mut Reader<'_>) -> GlintLobe<R> {
+fn pixel<R: Real>(x: &mut Reader<'_>) -> GlintNdf<R> {
     let glints = x.glints::<R>();
-    glints.lobe(&x.patch())
+    glints.ndf(&x.patch())
 }
 
 /// The same with a Fresnel term, and what it is evaluated with: directions and a radius.
@@ -147,12 +148,12 @@ super::twins! {
     };
     "hue_wheel" (Unit) "lobe_hue_wheel($0)" => |x| hue_wheel(x.f::<R>());
     "glints_new" (Glints, Patch, Half, Blur)
-        "lobe_glint_lobe_probability(lobe_glints_lobe(lobe_glints_new($0.biscale, $0.density), $1), $2, $3)" => |x| {
+        "lobe_glint_ndf_probability(lobe_glints_ndf(lobe_glints_new($0.biscale, $0.density), $1), $2, $3)" => |x| {
         let pixel = pixel::<R>(x);
         pixel.probability(x.vec::<R, 3>(), x.f())
     };
     "glints_detail_size" flips SIZES (Glints) "lobe_glints_detail_size($0)" => |x| x.glints::<R>().detail_size();
-    "glints_lobe" flips SIZES (Glints, Patch) "lobe_glints_lobe($0, $1).grid" => |x| *pixel::<R>(x).grid();
+    "glints_ndf" flips SIZES (Glints, Patch) "lobe_glints_ndf($0, $1).grid" => |x| *pixel::<R>(x).grid();
     "patch_new" flips SIZES (Plain, Size) "lobe_grid_new(lobe_patch_new($0), $1)" => |x| {
         let patch = Patch::new(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>());
         Grid::new(&patch, x.f())
@@ -172,47 +173,47 @@ super::twins! {
         let patch = x.patch::<R>();
         Grid::stretched(&patch, x.vec(), x.f())
     };
-    "glint_lobe_over" (Glints, Patch, Mean, Psd)
-        "lobe_glint_lobe_lobe(lobe_glint_lobe_over(lobe_glints_lobe($0, $1), lobe_slope_moments_new($2, $3)))" => |x| {
+    "glint_ndf_over" (Glints, Patch, Mean, Psd)
+        "lobe_glint_ndf_smooth_lobe(lobe_glint_ndf_over(lobe_glints_ndf($0, $1), lobe_slope_moments_new($2, $3)))" => |x| {
         let pixel = pixel::<R>(x);
-        pixel.over(&moments(x)).lobe()
+        pixel.over(&moments(x)).smooth_lobe()
     };
-    "glint_lobe_widened" (Glints, Patch, Kernel)
-        "lobe_glint_lobe_lobe(lobe_glint_lobe_widened(lobe_glints_lobe($0, $1), $2))" => |x| {
+    "glint_ndf_widened" (Glints, Patch, Kernel)
+        "lobe_glint_ndf_smooth_lobe(lobe_glint_ndf_widened(lobe_glints_ndf($0, $1), $2))" => |x| {
         let pixel = pixel::<R>(x);
-        pixel.widened(&x.kernel()).lobe()
+        pixel.widened(&x.kernel()).smooth_lobe()
     };
-    "glint_lobe_lobe" (Glints, Patch) "lobe_glint_lobe_lobe(lobe_glints_lobe($0, $1))" => |x| pixel::<R>(x).lobe();
-    "glint_lobe_probability" (Glints, Patch, Kernel, Half, Blur)
-        "lobe_glint_lobe_probability(lobe_glint_lobe_widened(lobe_glints_lobe($0, $1), $2), $3, $4)" => |x| {
+    "glint_ndf_smooth_lobe" (Glints, Patch) "lobe_glint_ndf_smooth_lobe(lobe_glints_ndf($0, $1))" => |x| pixel::<R>(x).smooth_lobe();
+    "glint_ndf_probability" (Glints, Patch, Kernel, Half, Blur)
+        "lobe_glint_ndf_probability(lobe_glint_ndf_widened(lobe_glints_ndf($0, $1), $2), $3, $4)" => |x| {
         let pixel = pixel::<R>(x);
         let pixel = pixel.widened(&x.kernel());
         pixel.probability(x.vec::<R, 3>(), x.f())
     };
-    "glint_lobe_sparkle" flips PIXELS (Glints, Patch, Half, Blur)
-        "lobe_glint_lobe_sparkle(lobe_glints_lobe($0, $1), $2, $3)" => |x| {
+    "glint_ndf_sparkle" flips PIXELS (Glints, Patch, Half, Blur)
+        "lobe_glint_ndf_sparkle(lobe_glints_ndf($0, $1), $2, $3)" => |x| {
         let pixel = pixel::<R>(x);
         pixel.sparkle(x.vec::<R, 3>(), x.f())
     };
-    "glint_lobe_sparkle" by "over" flips PIXELS (Glints, Patch, Mean, Psd, Half, Blur)
-        "lobe_glint_lobe_sparkle(lobe_glint_lobe_over(lobe_glints_lobe($0, $1), lobe_slope_moments_new($2, $3)), $4, $5)"
+    "glint_ndf_sparkle" by "over" flips PIXELS (Glints, Patch, Mean, Psd, Half, Blur)
+        "lobe_glint_ndf_sparkle(lobe_glint_ndf_over(lobe_glints_ndf($0, $1), lobe_slope_moments_new($2, $3)), $4, $5)"
         => |x| {
         let pixel = pixel::<R>(x);
         let pixel = pixel.over(&moments(x));
         pixel.sparkle(x.vec::<R, 3>(), x.f())
     };
-    "glint_lobe_coloured_sparkle" flips PIXELS (Glints, Patch, Half, Blur)
-        "lobe_glint_lobe_coloured_sparkle(lobe_glints_lobe($0, $1), $2, $3)" => |x| {
+    "glint_ndf_colored_sparkle" flips PIXELS (Glints, Patch, Half, Blur)
+        "lobe_glint_ndf_colored_sparkle(lobe_glints_ndf($0, $1), $2, $3)" => |x| {
         let pixel = pixel::<R>(x);
-        pixel.coloured_sparkle(x.vec::<R, 3>(), x.f(), hue_wheel)
+        pixel.colored_sparkle(x.vec::<R, 3>(), x.f(), hue_wheel)
     };
-    "glint_lobe_slope_pdf" flips PIXELS (Glints, Patch, Half, Blur)
-        "lobe_glint_lobe_slope_pdf(lobe_glints_lobe($0, $1), $2, $3)" => |x| {
+    "glint_ndf_slope_pdf" flips PIXELS (Glints, Patch, Half, Blur)
+        "lobe_glint_ndf_slope_pdf(lobe_glints_ndf($0, $1), $2, $3)" => |x| {
         let pixel = pixel::<R>(x);
         pixel.slope_pdf(x.vec::<R, 3>(), x.f())
     };
-    "glint_lobe_brdf" flips PIXELS (Glints, Patch, Mirrored, Radius)
-        "lobe_glint_lobe_brdf(lobe_glints_lobe($0, $1), $2, $3)" => |x| {
+    "glint_ndf_brdf" flips PIXELS (Glints, Patch, Mirrored, Radius)
+        "lobe_glint_ndf_brdf(lobe_glints_ndf($0, $1), $2, $3)" => |x| {
         let pixel = pixel::<R>(x);
         pixel.brdf(x.vec::<R, 3>(), x.vec::<R, 3>(), x.f())
     };
@@ -221,12 +222,12 @@ super::twins! {
         light_blur(wo, wi, x.f::<R>())
     };
     "glint_evaluate" flips PIXELS (Glints, Patch, Mirrored, Radius, Reflectance)
-        "lobe_glint_evaluate(lobe_glints_lobe($0, $1), $2, $3, lobe_fresnel_schlick($4, lobe_half_cosine($2)))" => |x| {
+        "lobe_glint_evaluate(lobe_glints_ndf($0, $1), $2, $3, lobe_fresnel_schlick($4, lobe_half_cosine($2)))" => |x| {
         evaluated::<R>(x, GlintShading::evaluate)
     };
-    "glint_evaluate_coloured" flips PIXELS (Glints, Patch, Mirrored, Radius, Reflectance)
-        "lobe_glint_evaluate_coloured(lobe_glints_lobe($0, $1), $2, $3, lobe_fresnel_schlick($4, lobe_half_cosine($2)))"
+    "glint_evaluate_colored" flips PIXELS (Glints, Patch, Mirrored, Radius, Reflectance)
+        "lobe_glint_evaluate_colored(lobe_glints_ndf($0, $1), $2, $3, lobe_fresnel_schlick($4, lobe_half_cosine($2)))"
         => |x| {
-        evaluated::<R>(x, |shading, wo, wi, radius| shading.evaluate_coloured(wo, wi, radius, hue_wheel))
+        evaluated::<R>(x, |shading, wo, wi, radius| shading.evaluate_colored(wo, wi, radius, hue_wheel))
     };
 }

@@ -49,7 +49,7 @@ pub enum Input {
     Direction,
     /// Two of them, as two arguments.
     Pair,
-    /// Three unit half vectors of neighbouring pixels, as three arguments.
+    /// Three unit half vectors of neighboring pixels, as three arguments.
     Halves,
     /// A position in space.
     Position,
@@ -199,7 +199,7 @@ impl Input {
             Self::Psd | Self::Relief => psd(0),
             Self::Roughness => format!("lobe_roughness_from_matrix({})", psd(0)),
             Self::Lobe | Self::Groove => {
-                format!("lobe_new({}, lobe_roughness_from_matrix({}))", pair(3), psd(0))
+                format!("lobe_lobe_new({}, lobe_roughness_from_matrix({}))", pair(3), psd(0))
             }
             Self::Footprint => format!("lobe_footprint_from_slopes({}, {})", pair(0), pair(2)),
             Self::Covering => {

@@ -1,18 +1,18 @@
-//! Twins of `src/slope/layers.rs`, `src/filter/length.rs` and `src/material/{lean,leadr}`.
+//! Twins of `src/slope/algebra.rs`, `src/filter/length.rs` and `src/material/{lean,leadr}`.
 
-use lobe::SlopeMoments;
 use lobe::filter::{
     VmfWidening, clean_variance, toksvig_exponent, toksvig_variance, vmf_sharpness,
 };
 use lobe::material::leadr::{Shadowing, cube_lod};
+use lobe::{Footprint, SlopeMoments};
 
 use super::slope::moments;
 
 super::twins! {
-    "slope_moments_plus" (Mean, Psd, Mean, Psd)
-        "lobe_slope_moments_plus(lobe_slope_moments_new($0, $1), lobe_slope_moments_new($2, $3))" => |x| {
+    "slope_moments_add" (Mean, Psd, Mean, Psd)
+        "lobe_slope_moments_add(lobe_slope_moments_new($0, $1), lobe_slope_moments_new($2, $3))" => |x| {
         let one = moments::<R>(x);
-        one.plus(&moments(x))
+        one + moments(x)
     };
     "slope_moments_plus_correlated" (Mean, Psd, Mean, Psd, Matrix)
         "lobe_slope_moments_plus_correlated(lobe_slope_moments_new($0, $1), lobe_slope_moments_new($2, $3), $4)" => |x| {
@@ -24,10 +24,10 @@ super::twins! {
         let (one, other) = (moments::<R>(x), moments(x));
         one.cross_covariance(&other, x.matrix())
     };
-    "slope_moments_scaled" (Mean, Psd, Size)
-        "lobe_slope_moments_scaled(lobe_slope_moments_new($0, $1), $2)" => |x| {
+    "slope_moments_mul" (Mean, Psd, Size)
+        "lobe_slope_moments_mul(lobe_slope_moments_new($0, $1), $2)" => |x| {
         let moments = moments::<R>(x);
-        moments.scaled(x.f())
+        moments * x.f()
     };
     "slope_moments_tilted" (Mean, Psd, Slope)
         "lobe_slope_moments_tilted(lobe_slope_moments_new($0, $1), $2)" => |x| {
@@ -39,9 +39,9 @@ super::twins! {
         let moments = moments::<R>(x);
         moments.transformed(x.matrix())
     };
-    "footprint_against" (Footprint, Slope, Slope) "lobe_footprint_against($0, $1, $2)" => |x| {
+    "footprint_sub" (Footprint, Slope, Slope) "lobe_footprint_sub($0, $1, $2)" => |x| {
         let footprint = x.footprint::<R>();
-        footprint.against(x.vec::<R, 2>(), x.vec::<R, 2>())
+        footprint - Footprint::from_slopes(x.vec::<R, 2>(), x.vec::<R, 2>())
     };
     "toksvig_variance" (MeanLength) "lobe_toksvig_variance($0)" => |x| {
         toksvig_variance(x.f::<R>()).expect("in range")
@@ -68,13 +68,13 @@ super::twins! {
         let surface = x.leadr::<R>();
         surface.artificial_facet(x.vec::<R, 3>())
     };
-    "leadr_specular" (Lobe, Pair) "lobe_leadr_specular(lobe_leadr_new($0), $1)" => |x| {
+    "leadr_brdf_cos" (Lobe, Pair) "lobe_leadr_brdf_cos(lobe_leadr_new($0), $1)" => |x| {
         let surface = x.leadr::<R>();
-        surface.specular(x.vec::<R, 3>(), x.vec::<R, 3>(), Shadowing::Both)
+        surface.brdf_cos(x.vec::<R, 3>(), x.vec::<R, 3>(), Shadowing::Both)
     };
-    "leadr_specular_unshadowed" (Lobe, Pair) "lobe_leadr_specular_unshadowed(lobe_leadr_new($0), $1)" => |x| {
+    "leadr_unshadowed_brdf_cos" (Lobe, Pair) "lobe_leadr_unshadowed_brdf_cos(lobe_leadr_new($0), $1)" => |x| {
         let surface = x.leadr::<R>();
-        surface.specular(x.vec::<R, 3>(), x.vec::<R, 3>(), Shadowing::MaskingOnly)
+        surface.brdf_cos(x.vec::<R, 3>(), x.vec::<R, 3>(), Shadowing::MaskingOnly)
     };
     "leadr_light_reaching" (Lobe, Pair) "lobe_leadr_light_reaching(lobe_leadr_new($0), $1)" => |x| {
         let surface = x.leadr::<R>();

@@ -1,4 +1,4 @@
-//! Every function of the mirror with its twin: the inputs, the WGSL expression, and the same in Rust.
+//! Every function of the WGSL port with its twin: the inputs, the WGSL expression, and the same in Rust.
 
 mod facets;
 mod filters;
@@ -40,7 +40,7 @@ const ODD: [f32; 16] = [
     2.0,
 ];
 
-/// What expressions need beside the mirror.
+/// What expressions need beside the WGSL port.
 const PUT_TOGETHER: &str = "
 fn put_together(eigen: LobeEigen) -> vec3f {
     let c = eigen.axis.x;
@@ -68,8 +68,8 @@ fn glittering(biscale: LobeBiscale, density: f32, variation: f32, share: f32, se
 
 /// Facets with all their numbers, which Rust sets one by one, and under a pixel, with the dictionary of the buffer.
 const PATCHED: &str = "
-fn patched(facets: LobeMultiLobe, pixel: LobePatch) -> LobePatchLobe {
-    return lobe_multi_lobe_lobe(facets, LobeDictionary(48u, 8u, 64u), pixel);
+fn patched(facets: LobeMultiLobe, pixel: LobePatch) -> LobePatchNdf {
+    return lobe_multi_lobe_ndf(facets, LobeDictionary(48u, 8u, 64u), pixel);
 }
 ";
 const FACETED: &str = "
@@ -81,7 +81,7 @@ fn faceted(roughness: LobeRoughness, density: f32, variation: f32, share: f32, s
 /// A pair of twins: one expression in each language, over the same floats.
 #[derive(Clone, Debug)]
 pub struct Twin {
-    /// The item of the mirror that it is about.
+    /// The item of the WGSL port that it is about.
     pub name: String,
     /// What else it goes through, for names that appear more than once: a shape.
     pub by: &'static str,
@@ -138,7 +138,7 @@ impl Twin {
         floats
     }
 
-    /// What WGSL computes it with: the functions that it needs and no others of the mirror.
+    /// What WGSL computes it with: the functions that it needs and no others of the WGSL port.
     pub fn library(&self) -> String {
         library(std::slice::from_ref(self))
     }
@@ -210,7 +210,7 @@ macro_rules! twins {
 }
 use twins;
 
-/// What WGSL computes `twins` with: the functions that they need and no others of the mirror.
+/// What WGSL computes `twins` with: the functions that they need and no others of the WGSL port.
 pub fn library(twins: &[Twin]) -> String {
     let bodies: String = twins.iter().map(Twin::body).collect();
     let helpers = [

@@ -1,14 +1,16 @@
 //! Twins of `src/ndf`: every function of either distribution over every shape.
 
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
-use lobe::{AxisAligned, Beckmann, Distribution, Full, Isotropic, Ndf, Real, Shape, Tilted};
+use lobe::{
+    Anisotropic, AxisAligned, Beckmann, Distribution, Isotropic, LobeShape, Ndf, NonCentered, Real,
+};
 
 use super::value::{Flat, Reader};
 use super::{Input, Twin};
 
 /// A shape as a table's rows have it.
 trait Shaped {
-    type Of<R: Real>: Shape<Scalar = R>;
+    type Of<R: Real>: LobeShape<Scalar = R>;
     const NAME: &'static str;
     const INPUT: Input;
     /// The WGSL expression of the shape, from its input `$0`.
@@ -40,8 +42,8 @@ shaped! {
     OfAxisAligned AxisAligned<R>, "axis_aligned", Alphas, "lobe_axis_aligned_new($0.x, $0.y)" => |x| {
         AxisAligned::new(x.f(), x.f()).expect("drawn alphas are in range")
     };
-    OfFull Full<R>, "full", Roughness, "lobe_full_new($0)" => |x| Full::new(x.roughness());
-    OfTilted Tilted<Full<R>>, "tilted", Lobe, "lobe_shape($0)" => |x| x.lobe().shape();
+    OfAnisotropic Anisotropic<R>, "anisotropic", Roughness, "lobe_anisotropic_new($0)" => |x| Anisotropic::new(x.roughness());
+    OfNonCentered NonCentered<Anisotropic<R>>, "non_centered", Lobe, "lobe_lobe_shape($0)" => |x| x.lobe().shape();
 }
 
 /// Writes the functions of `Ndf`: method, further inputs, the WGSL arguments over `SHAPE` and its expression `MADE`.
@@ -104,7 +106,7 @@ methods! {
     slope_pdf(slope) "lobe_SHAPE_normal(MADE, vec3f(-$1, 1.0))";
     d(direction) "lobe_SHAPE_normal(MADE, $1)";
     brdf(first, second) "lobe_SHAPE_pair(MADE, $1)";
-    unshadowed(first, second) "lobe_SHAPE_pair(MADE, $1)";
+    unshadowed_brdf_cos(first, second) "lobe_SHAPE_pair(MADE, $1)";
     projected_area(direction) "lobe_SHAPE_view(MADE, $1)";
     lambda(direction) "lobe_SHAPE_view(MADE, $1)";
     g1 as "masking" (direction) "lobe_SHAPE_view(MADE, $1)";
@@ -133,7 +135,7 @@ mod owed {
         "beckmann_even_area" (Cosine, Size) "lobe_beckmann_even_area($0, $1)" => |x| {
             BeckmannDistribution::even_area(x.f::<R>(), x.f())
         };
-        "beckmann_lambda_walter" (Lobe, Direction) "lobe_beckmann_lambda_walter(lobe_tilted_view(lobe_shape($0), $1))"
+        "beckmann_lambda_walter" (Lobe, Direction) "lobe_beckmann_lambda_walter(lobe_non_centered_view(lobe_lobe_shape($0), $1))"
             => |x| {
             let beckmann = Beckmann::new(x.lobe::<R>().shape());
             beckmann.lambda_walter(x.vec())
@@ -146,8 +148,8 @@ pub(super) fn all_twins() -> Vec<Twin> {
         [
             over::<D, OfIsotropic>(prefix),
             over::<D, OfAxisAligned>(prefix),
-            over::<D, OfFull>(prefix),
-            over::<D, OfTilted>(prefix),
+            over::<D, OfAnisotropic>(prefix),
+            over::<D, OfNonCentered>(prefix),
         ]
         .concat()
     }

@@ -33,10 +33,10 @@ super::twins! {
     "psd_is_singular" (Kernel) "select(0.0, 1.0, lobe_psd_is_singular($0.covariance))" => |x| {
         truth::<R>(x.kernel::<R>().covariance().is_singular())
     };
-    "psd_scaled" (Psd, Any) "lobe_psd_scaled($0, $1)" => |x| { let m = x.psd::<R>(); m.scaled(x.f()) };
-    "psd_plus" (Psd, Kernel) "lobe_psd_plus($0, $1.covariance)" => |x| {
+    "psd_mul" (Psd, Any) "lobe_psd_mul($0, $1)" => |x| { let m = x.psd::<R>(); m * x.f() };
+    "psd_add" (Psd, Kernel) "lobe_psd_add($0, $1.covariance)" => |x| {
         let m = x.psd::<R>();
-        m.plus(&x.kernel().covariance())
+        m + x.kernel().covariance()
     };
     "psd_quadratic" (Psd, Slope) "lobe_psd_quadratic($0, $1)" => |x| { let m = x.psd::<R>(); m.quadratic(x.vec()) };
     "psd_cholesky" (Psd) "lobe_psd_cholesky($0)" => |x| x.psd::<R>().cholesky();

@@ -6,8 +6,8 @@ use lobe::slope::jacobian::{
 };
 use lobe::slope::ray;
 use lobe::{
-    AxisAligned, Footprint, Full, Isotropic, Lobe, Path, Real, Roughness, Shape, SlopeMoments,
-    Tilted, Vertex,
+    Anisotropic, AxisAligned, Footprint, Isotropic, Lobe, LobeShape, NonCentered, Path, Real,
+    Roughness, SlopeMoments, Vertex,
 };
 
 use super::value::{Columns, Reader};
@@ -27,7 +27,7 @@ fn axis_aligned<R: Real>(x: &mut Reader<'_>) -> AxisAligned<R> {
     AxisAligned::new(alpha_x, alpha_y).expect("drawn alphas are in range")
 }
 
-fn tilted<R: Real>(x: &mut Reader<'_>) -> Tilted<Full<R>> {
+fn tilted<R: Real>(x: &mut Reader<'_>) -> NonCentered<Anisotropic<R>> {
     x.lobe().shape()
 }
 
@@ -50,7 +50,7 @@ super::twins! {
     "reflection_per_normal" (Pair) "lobe_reflection_per_normal($0)" => |x| {
         reflection_per_normal::<R>(x.vec::<R, 3>(), x.vec::<R, 3>())
     };
-    "apply" (Direction, Slope) "lobe_apply(lobe_disk_to_slope($0), $1)" => |x| {
+    "jacobian_apply" (Direction, Slope) "lobe_jacobian_apply(lobe_disk_to_slope($0), $1)" => |x| {
         let matrix = disk_to_slope::<R>(x.vec::<R, 3>());
         apply(matrix, x.vec::<R, 2>())
     };
@@ -77,13 +77,13 @@ super::twins! {
         footprint.bounding_within(x.f())
     };
     "footprint_diameter" (Footprint) "lobe_footprint_diameter($0)" => |x| x.footprint::<R>().diameter();
-    "footprint_rescaled" (Footprint, Size) "lobe_footprint_rescaled($0, $1)" => |x| {
+    "footprint_capped" (Footprint, Size) "lobe_footprint_capped($0, $1)" => |x| {
         let footprint = x.footprint::<R>();
-        footprint.rescaled(x.f())
+        footprint.capped(x.f())
     };
-    "footprint_scaled" (Footprint, Any) "lobe_footprint_scaled($0, $1)" => |x| {
+    "footprint_mul" (Footprint, Any) "lobe_footprint_mul($0, $1)" => |x| {
         let footprint = x.footprint::<R>();
-        footprint.scaled(x.f())
+        footprint * x.f()
     };
     "footprint_area" (Footprint) "lobe_footprint_area($0)" => |x| x.footprint::<R>().area();
     "footprint_from_motion" (Position, Position, Curvature, Slope, Slope)
@@ -92,14 +92,14 @@ super::twins! {
             lobe_path_motion(LobePath(lobe_vertex_at($0), lobe_vertex_at($1), $2), $4))" => |x| {
         let path = path::<R>(x);
         let (u, v) = (path.motion(x.vec()), path.motion(x.vec()));
-        Footprint::from_motion(path.half(), &u, &v).unwrap_or_default()
+        Footprint::from_motion(path.half_vector(), &u, &v).unwrap_or_default()
     };
     "vertex_at" (Position) "lobe_vertex_at($0)" => |x| Vertex::at(x.vec::<R, 3>()).expect("a length");
     "vertex_distant" (Position) "lobe_vertex_distant($0)" => |x| Vertex::distant(x.vec::<R, 3>()).expect("a length");
     "path_plane_point" (Position, Position, Curvature)
         "lobe_path_plane_point(LobePath(lobe_vertex_at($0), lobe_vertex_at($1), $2))" => |x| path::<R>(x).plane_point();
     "path_half_vector" (Position, Position, Curvature)
-        "lobe_path_half_vector(LobePath(lobe_vertex_at($0), lobe_vertex_at($1), $2))" => |x| path::<R>(x).half();
+        "lobe_path_half_vector(LobePath(lobe_vertex_at($0), lobe_vertex_at($1), $2))" => |x| path::<R>(x).half_vector();
     "path_motion" (Position, Position, Curvature, Slope)
         "lobe_path_motion(LobePath(lobe_vertex_at($0), lobe_vertex_at($1), $2), $3)" => |x| {
         let path = path::<R>(x);
@@ -130,9 +130,9 @@ super::twins! {
     };
     "roughness_covariance" (Roughness) "lobe_roughness_covariance($0)" => |x| x.roughness::<R>().covariance();
     "roughness_alphas" (Roughness) "lobe_roughness_alphas($0)" => |x| x.roughness::<R>().alphas();
-    "roughness_plus" (Roughness, Roughness) "lobe_roughness_plus($0, $1)" => |x| {
+    "roughness_add" (Roughness, Roughness) "lobe_roughness_add($0, $1)" => |x| {
         let roughness = x.roughness::<R>();
-        roughness.plus(&x.roughness())
+        roughness + x.roughness()
     };
     "roughness_chermain_matrix" (Roughness, Alpha) "lobe_roughness_chermain_matrix($0, $1)" => |x| {
         let roughness = x.roughness::<R>();
@@ -165,50 +165,50 @@ super::twins! {
         let shape = axis_aligned::<R>(x);
         shape.stretch_squared(x.vec())
     };
-    "full_new" (Roughness, Direction)
-        "vec3f(lobe_full_new($0).root_det, lobe_full_form(lobe_full_new($0), $1, $1), lobe_full_stretch_squared(lobe_full_new($0), $1))"
+    "anisotropic_new" (Roughness, Direction)
+        "vec3f(lobe_anisotropic_new($0).root_det, lobe_anisotropic_form(lobe_anisotropic_new($0), $1, $1), lobe_anisotropic_stretch_squared(lobe_anisotropic_new($0), $1))"
         => |x| {
-        let shape = Full::new(x.roughness::<R>());
+        let shape = Anisotropic::new(x.roughness::<R>());
         let m = x.vec();
         [shape.root_det(), shape.form(m, m), shape.stretch_squared(m)]
     };
-    "full_form" (Roughness, Direction) "lobe_full_form(lobe_full_new($0), $1, vec3f(0.0, 0.0, 0.0))" => |x| {
-        let shape = Full::new(x.roughness::<R>());
+    "anisotropic_form" (Roughness, Direction) "lobe_anisotropic_form(lobe_anisotropic_new($0), $1, vec3f(0.0, 0.0, 0.0))" => |x| {
+        let shape = Anisotropic::new(x.roughness::<R>());
         shape.form(x.vec(), [R::ZERO; 3])
     };
-    "full_whiten" (Roughness, Slope) "lobe_full_whiten(lobe_full_new($0), $1, vec2f(0.0, 0.0))" => |x| {
-        let shape = Full::new(x.roughness::<R>());
+    "anisotropic_whiten" (Roughness, Slope) "lobe_anisotropic_whiten(lobe_anisotropic_new($0), $1, vec2f(0.0, 0.0))" => |x| {
+        let shape = Anisotropic::new(x.roughness::<R>());
         shape.whiten(x.vec(), [R::ZERO; 2])
     };
-    "full_major" (Groove) "lobe_full_major(lobe_full_new(($0).roughness))" => |x| {
-        let (axis, alpha) = Full::new(x.lobe::<R>().roughness()).major();
+    "anisotropic_major" (Groove) "lobe_anisotropic_major(lobe_anisotropic_new(($0).roughness))" => |x| {
+        let (axis, alpha) = Anisotropic::new(x.lobe::<R>().roughness()).major();
         [axis[0], axis[1], alpha]
     };
-    "full_stretch_squared" (Roughness, Direction) "lobe_full_stretch_squared(lobe_full_new($0), $1)" => |x| {
-        let shape = Full::new(x.roughness::<R>());
+    "anisotropic_stretch_squared" (Roughness, Direction) "lobe_anisotropic_stretch_squared(lobe_anisotropic_new($0), $1)" => |x| {
+        let shape = Anisotropic::new(x.roughness::<R>());
         shape.stretch_squared(x.vec())
     };
-    "tilted_new" (Roughness, Mean, Direction) "lobe_tilted_mean_area(lobe_tilted_new(lobe_full_new($0), $1), $2)" => |x| {
-        let full = Full::new(x.roughness::<R>());
-        let shape = Tilted::new(full, x.vec::<R, 2>()).expect("in range");
+    "non_centered_new" (Roughness, Mean, Direction) "lobe_non_centered_mean_area(lobe_non_centered_new(lobe_anisotropic_new($0), $1), $2)" => |x| {
+        let full = Anisotropic::new(x.roughness::<R>());
+        let shape = NonCentered::new(full, x.vec::<R, 2>()).expect("in range");
         shape.mean_area(x.vec())
     };
-    "tilted_form" (Lobe, Direction) "lobe_tilted_form(lobe_shape($0), $1, vec3f(0.0, 0.0, 0.0))" => |x| {
+    "non_centered_form" (Lobe, Direction) "lobe_non_centered_form(lobe_lobe_shape($0), $1, vec3f(0.0, 0.0, 0.0))" => |x| {
         let shape = tilted::<R>(x);
         shape.form(x.vec(), [R::ZERO; 3])
     };
-    "tilted_offset" (Lobe, Slope) "four(lobe_tilted_offset(lobe_shape($0), $1))" => |x| {
+    "non_centered_offset" (Lobe, Slope) "four(lobe_non_centered_offset(lobe_lobe_shape($0), $1))" => |x| {
         let shape = tilted::<R>(x);
         let (high, low) = shape.offset(x.vec());
         [high, low]
     };
-    "tilted_mean_area" (Lobe, Direction) "lobe_tilted_mean_area(lobe_shape($0), $1)" => |x| {
+    "non_centered_mean_area" (Lobe, Direction) "lobe_non_centered_mean_area(lobe_lobe_shape($0), $1)" => |x| {
         let shape = tilted::<R>(x);
         shape.mean_area(x.vec())
     };
     "new" (Lobe) "$0" => |x| x.lobe::<R>();
-    "centred" (Roughness) "lobe_centred($0)" => |x| Lobe::centred(x.roughness::<R>());
-    "shape" (Lobe, Direction) "lobe_tilted_form(lobe_shape($0), $1, $1)" => |x| {
+    "lobe_centered" (Roughness) "lobe_lobe_centered($0)" => |x| Lobe::centered(x.roughness::<R>());
+    "lobe_shape" (Lobe, Direction) "lobe_non_centered_form(lobe_lobe_shape($0), $1, $1)" => |x| {
         let shape = tilted::<R>(x);
         let m = x.vec();
         shape.form(m, m)

@@ -1,7 +1,8 @@
 //! How Rust reads the floats of a twin, and how either language writes its result.
 
 use lobe::filter::DiskKernel;
-use lobe::material::glint::{Biscale, Glints, Patch};
+use lobe::material::cells::Patch;
+use lobe::material::glint::{Biscale, Glints};
 use lobe::material::leadr::{Facet, Leadr, Node};
 use lobe::material::multilobe::MultiLobe;
 use lobe::slope::Motion;
@@ -200,10 +201,10 @@ flat! {
     Footprint: "put(0u, r.u.x); put(1u, r.u.y); put(2u, r.v.x); put(3u, r.v.y);", |x| [x.u, x.v].concat();
     Eigen: "put(0u, r.major); put(1u, r.minor); put(2u, r.axis.x); put(3u, r.axis.y);",
         |x| [x.major, x.minor, x.axis[0], x.axis[1]];
-    Alphas: "put(0u, r.x); put(1u, r.y); put(2u, r.angle);", |x| [x.x, x.y, x.angle];
+    Alphas: "put(0u, r.major); put(1u, r.minor); put(2u, r.angle);", |x| [x.major, x.minor, x.angle];
     Motion: "let h = r.half_vector; put(0u, h.x); put(1u, h.y); put(2u, h.z); put(3u, r.normal.x);
              put(4u, r.normal.y); put(5u, r.spin);",
-        |x| x.half.into_iter().chain(x.normal).chain([x.spin]);
+        |x| x.half_vector.into_iter().chain(x.normal).chain([x.spin]);
     Facet: "put(0u, r.normal.x); put(1u, r.normal.y); put(2u, r.normal.z); put(3u, r.wi.x); put(4u, r.wi.y);
             put(5u, r.wi.z); put(6u, r.cosine); put(7u, r.area); put(8u, r.solid_angle);",
         |x| x.normal.into_iter().chain(x.wi).chain([x.cosine, x.area, x.solid_angle]);

@@ -32,9 +32,9 @@ pub(crate) const SHADED: &str = "
     let roughness = lobe_roughness_from_alpha(p.alpha);
     let plain = lobe_ggx_brdf(lobe_isotropic_pair(lobe_isotropic_new(p.alpha), p.wo, p.wi));
     let kernel = lobe_kernel_of(footprint, LOBE_PIXEL_FILTER_BOX);
-    let wider = lobe_full_new(lobe_roughness_widened(roughness, kernel));
-    let widened = lobe_ggx_brdf(lobe_full_pair(wider, p.wo, p.wi));
-    let mean = lobe_ggx_brdf_over(lobe_shape(lobe_centred(roughness)), p.wo, p.wi, footprint);
+    let wider = lobe_anisotropic_new(lobe_roughness_widened(roughness, kernel));
+    let widened = lobe_ggx_brdf(lobe_anisotropic_pair(wider, p.wo, p.wi));
+    let mean = lobe_ggx_brdf_over(lobe_lobe_shape(lobe_lobe_centered(roughness)), p.wo, p.wi, footprint);
     return vec4f(plain, widened, mean, 0.0) * p.wi.z * p.strength;";
 
 /// The footprint from the quad: u, then v.

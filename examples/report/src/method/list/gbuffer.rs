@@ -1,6 +1,6 @@
 //! Filters of GGX that know the normal only: the papers' and the engines'.
 
-use lobe::filter::preset::Engine;
+use lobe::filter::engine::Engine;
 
 use super::super::deferred::Deferred;
 use super::super::{Distribution, Family, Method};
@@ -59,7 +59,7 @@ pub(super) fn engines() -> Vec<Method> {
     let method = |engine: Engine| {
         Filter {
             name: engine.name(),
-            source: "lobe::filter::preset, as shipped",
+            source: "lobe::filter::engine, as shipped",
             note: engine.formula(),
             distribution: Distribution::Ggx,
             family: Family::Engine,

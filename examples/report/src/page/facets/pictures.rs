@@ -4,7 +4,7 @@ use super::tables::amount;
 use crate::camera::Size;
 use crate::facets::{Lobes, Trial, Zoom, name};
 use crate::page::axis::{Scale, plain};
-use crate::page::colours::Coloured;
+use crate::page::colors::Colored;
 use crate::page::escape;
 use crate::page::picture::{Tone, WHITE};
 use crate::page::table::significant;
@@ -58,7 +58,7 @@ fn differences(trial: &Trial, names: &[&str]) -> String {
     grid(entries.map(|entry| {
         let pairs = entry.picture.iter().zip(&trial.reference);
         let values: Vec<_> = pairs.map(|(x, r)| (x - r).abs() / trial.mean).collect();
-        let shown = Coloured {
+        let shown = Colored {
             size: trial.size,
             column: COLUMN,
             on: &trial.judged,

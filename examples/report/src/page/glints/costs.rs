@@ -15,8 +15,8 @@ pub(super) const TIMES_NOTE: &str = "One evaluation of the BRDF in f32; smooth l
 
 pub(super) const COUNTS_NOTE: &str = "Operations: additions, multiplications, divisions, roots, logarithms and comparisons of \
     floats, from pixels of aspect 1 and 16 at the pole; integers, so the hashes, are not counted. Instructions: static SPIR-V by \
-    naga before any driver has optimised it, calls written out, loops counted once; arithmetic: without moves, loads, stores and \
-    branches, most of which an optimiser takes away. The paper counts what NVIDIA\u{2019}s compiler made of GLSL for a GTX 980: \
+    naga before any driver has optimized it, calls written out, loops counted once; arithmetic: without moves, loads, stores and \
+    branches, most of which an optimizer takes away. The paper counts what NVIDIA\u{2019}s compiler made of GLSL for a GTX 980: \
     another instruction set, so orders compare, not numbers.";
 
 pub(super) const CONTESTS_NOTE: &str = "Distance: mean difference of the sorted values of as many pixels of each (1-Wasserstein), \

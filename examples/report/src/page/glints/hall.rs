@@ -1,13 +1,13 @@
-//! The hall in false colours, each picture with the numbers of its colours.
+//! The hall in false colors, each picture with the numbers of its colors.
 
 use crate::glints::Hall;
 use crate::page::axis::Scale;
-use crate::page::colours::Coloured;
+use crate::page::colors::Colored;
 
 /// Width of a column of pictures, as in style.css.
 const COLUMN: usize = 560;
 
-/// Cells at the ends of the colours: as few and as many as a pixel has.
+/// Cells at the ends of the colors: as few and as many as a pixel has.
 const CELLS: [f64; 2] = [4.0, 104.0];
 
 /// Both pictures; black is where there is no surface.
@@ -15,7 +15,7 @@ pub(super) fn pictures(hall: &Hall) -> String {
     let lost: Vec<_> = hall.lost.iter().map(|share| 100.0 * share).collect();
     let on: Vec<_> = hall.cells.iter().map(|&cells| cells > 0.0).collect();
     let figures = [
-        Coloured {
+        Colored {
             size: hall.size,
             column: COLUMN,
             on: &on,
@@ -26,7 +26,7 @@ pub(super) fn pictures(hall: &Hall) -> String {
             ticks: &[4.0, 8.0, 16.0, 32.0, 64.0, 104.0],
             unit: "",
         },
-        Coloured {
+        Colored {
             size: hall.size,
             column: COLUMN,
             on: &on,
@@ -38,6 +38,6 @@ pub(super) fn pictures(hall: &Hall) -> String {
             unit: " %",
         },
     ];
-    let figures = figures.iter().map(Coloured::figure);
+    let figures = figures.iter().map(Colored::figure);
     format!("<div class=\"pictures\">\n{}</div>\n", figures.collect::<Vec<_>>().concat())
 }

@@ -1,0 +1,219 @@
+//! A smooth material: its lobe baked under a pixel's kernel, and batches over slices.
+//!
+//! Layer 5.
+
+use crate::error::Error;
+use crate::filter::Kernel;
+use crate::material::Fresnel;
+use crate::ndf::{BeckmannDistribution, Distribution, GgxDistribution, Ndf};
+use crate::scalar::Real;
+use crate::slope::direction::{dot, half_vector};
+use crate::slope::{Anisotropic, Footprint, Lobe, LobeShape, NonCentered};
+use core::marker::PhantomData;
+
+/// A lobe with a distribution and a Fresnel term.
+///
+/// ```
+/// use lobe::material::Fresnel;
+/// use lobe::shade::Material;
+/// use lobe::{Footprint, Kernel, Lobe, PixelFilter, Roughness};
+///
+/// let metal = Material::ggx(
+///     Lobe::centered(Roughness::from_alpha(0.05_f32)?),
+///     Fresnel::schlick([0.95, 0.64, 0.54])?,
+/// );
+/// // Once per pixel: the half vector's slope changes by this much to the next pixels.
+/// let footprint = Footprint::from_slopes([0.1, 0.0], [0.02, 0.05]);
+/// let shading = metal.bake(&Kernel::of(&footprint, PixelFilter::BOX));
+/// // Once per light.
+/// let [red, _, blue] = shading.evaluate([0.6, 0.0, 0.8], [-0.6, 0.0, 0.8]);
+/// assert!(red > blue);
+/// # Ok::<(), lobe::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material<D, R> {
+    /// Mean slope and roughness: of the material alone, or of a normal map's texel.
+    pub lobe: Lobe<R>,
+    /// The Fresnel term.
+    pub fresnel: Fresnel<R>,
+    distribution: PhantomData<D>,
+}
+
+impl<R: Real> Material<GgxDistribution, R> {
+    /// A GGX material.
+    ///
+    /// WGSL: none, its arguments are passed one by one there.
+    pub fn ggx(lobe: Lobe<R>, fresnel: Fresnel<R>) -> Self {
+        Self { lobe, fresnel, distribution: PhantomData }
+    }
+}
+
+impl<R: Real> Material<BeckmannDistribution, R> {
+    /// A Beckmann material.
+    ///
+    /// ```
+    /// use lobe::{Lobe, Roughness, material::Fresnel, shade::Material};
+    /// let lobe = Lobe::centered(Roughness::from_alpha(0.3_f64)?);
+    /// let shading = Material::beckmann(lobe, Fresnel::white()).unfiltered();
+    /// assert_eq!(shading.evaluate([0.0, 0.0, 1.0], [0.6, 0.0, -0.8]), [0.0; 3]);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: none, its arguments are passed one by one there.
+    pub fn beckmann(lobe: Lobe<R>, fresnel: Fresnel<R>) -> Self {
+        Self { lobe, fresnel, distribution: PhantomData }
+    }
+}
+
+impl<D: Distribution, R: Real> Material<D, R> {
+    /// The material as a pixel with this kernel sees it: its lobe widened, ready for any number of lights.
+    ///
+    /// Exact for Beckmann, variance addition for GGX ([`Roughness::widened`](crate::Roughness::widened)).
+    ///
+    /// WGSL: `lobe_material_bake`.
+    #[inline]
+    pub fn bake(&self, kernel: &Kernel<R>) -> Shading<D, R> {
+        Shading::new(&self.lobe.widened(kernel), self.fresnel)
+    }
+
+    /// The material as it is.
+    ///
+    /// WGSL: none, `lobe_lobe_shape` there.
+    #[inline]
+    pub fn unfiltered(&self) -> Shading<D, R> {
+        Shading::new(&self.lobe, self.fresnel)
+    }
+}
+
+/// A baked material: what evaluation needs, precomputed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shading<D, R: Real> {
+    ndf: Ndf<D, NonCentered<Anisotropic<R>>>,
+    fresnel: Fresnel<R>,
+}
+
+impl<D: Distribution, R: Real> Shading<D, R> {
+    #[inline]
+    fn new(lobe: &Lobe<R>, fresnel: Fresnel<R>) -> Self {
+        Self { ndf: Ndf::new(lobe.shape()), fresnel }
+    }
+
+    /// The distribution underneath.
+    ///
+    /// WGSL: none, an argument there.
+    #[inline]
+    pub fn ndf(&self) -> &Ndf<D, NonCentered<Anisotropic<R>>> {
+        &self.ndf
+    }
+
+    /// Radiance towards `wo` per unit of radiance and solid angle from `wi`: $F\, f\, c_i$ per channel.
+    ///
+    /// $f$ is [`Ndf::brdf`], $c_i$ the cosine of `wi`, for a tilted lobe the projected area of its mean
+    /// plane. Multiply by the light's radiance and solid angle. `wo`, `wi`: unit, tangent frame. 0 where
+    /// either lies below the horizon.
+    ///
+    /// WGSL: `lobe_ggx_evaluate`, `lobe_beckmann_evaluate`.
+    #[inline]
+    pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R; 3] {
+        let (wo, wi) = (wo.into(), wi.into());
+        color(&self.fresnel, self.ndf.brdf(wo, wi), self.ndf.shape().mean_area(wi), wo, wi)
+    }
+}
+
+/// `brdf` times Fresnel and `area`, the mean plane's that the light sees; 0 where it sees none.
+#[inline]
+pub(super) fn color<R: Real>(
+    fresnel: &Fresnel<R>,
+    brdf: R,
+    area: R,
+    wo: [R; 3],
+    wi: [R; 3],
+) -> [R; 3] {
+    let area = area.max(R::ZERO);
+    let reflectance = fresnel.reflectance(dot(wo, half_vector(wo, wi)));
+    reflectance.map(|f| (f * brdf * area).min(R::MAX))
+}
+
+impl<R: Real> Shading<GgxDistribution, R> {
+    /// The same with D averaged exactly over a footprint: [`Ndf::brdf_over`](crate::Ndf::brdf_over).
+    ///
+    /// For a material that was not baked with the same footprint's kernel: one filter, not two.
+    ///
+    /// ```
+    /// use lobe::{Footprint, Lobe, Roughness, material::Fresnel, shade::Material};
+    /// let lobe = Lobe::centered(Roughness::from_alpha(0.1_f64)?);
+    /// let shading = Material::ggx(lobe, Fresnel::white()).unfiltered();
+    /// let (wo, wi) = ([0.6, 0.0, 0.8], [-0.6, 0.0, 0.8]);
+    /// let wide = shading.evaluate_over(wo, wi, &Footprint::rectangle([0.2, 0.2]));
+    /// assert!(wide[0] < shading.evaluate(wo, wi)[0]);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    ///
+    /// WGSL: `lobe_ggx_evaluate_over`.
+    #[inline]
+    pub fn evaluate_over(
+        &self,
+        wo: impl Into<[R; 3]>,
+        wi: impl Into<[R; 3]>,
+        footprint: &Footprint<R>,
+    ) -> [R; 3] {
+        let (wo, wi) = (wo.into(), wi.into());
+        let brdf = self.ndf.brdf_over(wo, wi, footprint);
+        color(&self.fresnel, brdf, self.ndf.shape().mean_area(wi), wo, wi)
+    }
+}
+
+/// Bakes a slice of materials, each under its own kernel.
+///
+/// # Errors
+/// [`Error::Length`] unless the slices have one length; nothing is then written.
+///
+/// WGSL: none, a dispatch is the loop there.
+pub fn bake_all<D: Distribution, R: Real>(
+    materials: &[Material<D, R>],
+    kernels: &[Kernel<R>],
+    out: &mut [Shading<D, R>],
+) -> Result<(), Error> {
+    if materials.len() != out.len() || kernels.len() != out.len() {
+        return Err(Error::Length);
+    }
+    for ((out, material), kernel) in out.iter_mut().zip(materials).zip(kernels) {
+        *out = material.bake(kernel);
+    }
+    Ok(())
+}
+
+/// Evaluates a slice of baked materials, each for its own directions.
+///
+/// # Errors
+/// [`Error::Length`] unless the slices have one length; nothing is then written.
+///
+/// ```
+/// use lobe::shade::{Material, bake_all, evaluate_all};
+/// use lobe::{Kernel, Lobe, Roughness, material::Fresnel};
+/// let material = Material::ggx(Lobe::centered(Roughness::from_alpha(0.2_f32)?), Fresnel::white());
+/// let mut baked = [material.unfiltered(); 2];
+/// bake_all(&[material; 2], &[Kernel::default(); 2], &mut baked)?;
+/// let mut radiance = [[0.0; 3]; 2];
+/// let up = [0.0, 0.0, 1.0];
+/// evaluate_all(&baked, &[up, up], &[up, [0.0, 0.0, -1.0]], &mut radiance)?;
+/// assert!(radiance[0][0] > 1.0 && radiance[1] == [0.0; 3]);
+/// assert_eq!(evaluate_all(&baked, &[up], &[up, up], &mut radiance), Err(lobe::Error::Length));
+/// # Ok::<(), lobe::Error>(())
+/// ```
+///
+/// WGSL: none, a dispatch is the loop there.
+pub fn evaluate_all<D: Distribution, R: Real>(
+    shadings: &[Shading<D, R>],
+    wo: &[[R; 3]],
+    wi: &[[R; 3]],
+    out: &mut [[R; 3]],
+) -> Result<(), Error> {
+    if shadings.len() != out.len() || wo.len() != out.len() || wi.len() != out.len() {
+        return Err(Error::Length);
+    }
+    for (((out, shading), &wo), &wi) in out.iter_mut().zip(shadings).zip(wo).zip(wi) {
+        *out = shading.evaluate(wo, wi);
+    }
+    Ok(())
+}

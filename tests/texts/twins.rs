@@ -1,0 +1,260 @@
+//! The WGSL port's bijection: each public function has its twin or a reason, docs name each other, constants are bit-equal.
+#![cfg(all(feature = "wgsl", feature = "published", feature = "glint"))]
+#![allow(clippy::incompatible_msrv, reason = "tests need a newer compiler, for their oracles")]
+
+mod rust;
+mod wgsl;
+
+use lobe::filter::VmfWidening;
+use lobe::filter::engine::Engine;
+use lobe::wgsl::{Item, Module};
+use lobe::{Footprint, Kernel, PixelFilter, Real};
+use rust::{Function, functions, value};
+use wgsl::{Declared, declared};
+
+/// The Rust file of a module.
+fn rust_text(path: &str) -> Option<String> {
+    let file = format!("{}/src/{path}.rs", env!("CARGO_MANIFEST_DIR"));
+    std::fs::read_to_string(file).ok()
+}
+
+/// Rust files whose functions a module has: its own, and those whose generics it spells out.
+fn homes(path: &str) -> Vec<&str> {
+    match path {
+        "ndf/ggx" | "ndf/beckmann" => vec![path, "ndf/distribution", "ndf/masking"],
+        "slope/non_centered" => vec![path, "slope/shape"],
+        _ if path.starts_with("scalar/") => vec![path, "scalar/real"],
+        _ => vec![path],
+    }
+}
+
+/// Every Rust file but those that no shader can use.
+fn rust_files() -> Vec<(String, String)> {
+    let src = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = Vec::new();
+    let mut open = vec![src.clone()];
+    while let Some(folder) = open.pop() {
+        for entry in std::fs::read_dir(folder).expect("a readable folder") {
+            let path = entry.expect("a readable entry").path();
+            let name =
+                path.strip_prefix(&src).expect("below src").to_string_lossy().replace('\\', "/");
+            if path.is_dir() && name != "wgsl" && name != "scalar/probe" {
+                open.push(path);
+            } else if let Some(name) = name.strip_suffix(".rs") {
+                files.push((
+                    name.to_owned(),
+                    std::fs::read_to_string(&path).expect("a readable file"),
+                ));
+            }
+        }
+    }
+    files.sort();
+    files
+}
+
+/// What is wrong with the line about WGSL of a public function, against what the WGSL port declares.
+fn complaint(file: &str, function: &Function, port: &[(&str, Declared)]) -> Option<String> {
+    let place = format!("src/{file}.rs, {}", function.path);
+    let Some(line) = &function.wgsl else {
+        return Some(format!(
+            "{place}: says nothing of WGSL: name its twin, or `none` and the reason"
+        ));
+    };
+    if let Some(reason) = line.strip_prefix("none") {
+        let given = reason.strip_prefix(", ").is_some_and(|reason| reason.len() > 3);
+        return (!given).then(|| format!("{place}: no twin, and no reason: `WGSL: none, REASON.`"));
+    }
+    for name in line.split('`').filter(|word| word.starts_with("lobe_")) {
+        let twin = port
+            .iter()
+            .find(|(path, declared)| declared.name == name && homes(path).contains(&file));
+        let Some((_, twin)) = twin else {
+            return Some(format!("{place}: names {name}, which its file of the WGSL port has not"));
+        };
+        if !twin.twins.iter().any(|twin| function.is(twin)) {
+            return Some(format!(
+                "{place}: names {name}, which does not name it: {:?}",
+                twin.twins
+            ));
+        }
+    }
+    None
+}
+
+fn port() -> Vec<(&'static str, Declared)> {
+    let all = Module::ALL.iter();
+    all.flat_map(|module| declared(module.body()).into_iter().map(|d| (module.path(), d))).collect()
+}
+
+#[test]
+fn each_public_function_names_its_twin_or_a_reason() {
+    let port = port();
+    let mut found = Vec::new();
+    let mut count = 0;
+    for (file, text) in rust_files() {
+        for function in functions(&text).iter().filter(|function| function.public) {
+            count += 1;
+            found.extend(complaint(&file, function, &port));
+        }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    assert!(count > 150, "only {count} public functions found");
+}
+
+#[test]
+fn each_function_of_the_port_names_its_twin() {
+    let mut found = Vec::new();
+    for (path, declared) in port() {
+        let texts: Vec<String> = homes(path).into_iter().filter_map(rust_text).collect();
+        let all: Vec<Function> = texts.iter().flat_map(|text| functions(text)).collect();
+        let place = format!("src/wgsl/{path}.wgsl, {}", declared.name);
+        if declared.twins.is_empty() && !declared.alone {
+            found.push(format!("{place}: says neither `Rust: ` nor `WGSL only: `"));
+        }
+        for twin in &declared.twins {
+            let last = twin.rsplit("::").next().unwrap_or_default();
+            let stated = texts.iter().any(|text| {
+                ["struct ", "const ", "trait ", "    "]
+                    .iter()
+                    .any(|kind| text.contains(&format!("{kind}{last}")))
+            });
+            let known = all.iter().any(|function| function.is(twin));
+            if !(known || (!declared.name.starts_with("lobe_") && stated)) {
+                found.push(format!("{place}: there is no `{twin}` in {:?}", homes(path)));
+            }
+            // A public function that the WGSL port has says so, and can be asked for.
+            let public = all.iter().find(|function| function.public && function.is(twin));
+            let short = declared.name.strip_prefix("lobe_");
+            if let (Some(function), Some(short)) = (public, short) {
+                let named =
+                    function.wgsl.as_ref().is_some_and(|line| line.contains(&declared.name));
+                if !named {
+                    found.push(format!("{place}: `{twin}` does not name it"));
+                }
+                if Item::from_name(short).is_err() {
+                    found.push(format!("{place}: is no item"));
+                }
+            }
+        }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn twins_come_in_the_order_of_their_functions() {
+    let mut found = Vec::new();
+    for module in Module::ALL {
+        let Some(text) = rust_text(module.path()) else { continue };
+        let order = functions(&text);
+        let places = declared(module.body()).into_iter().filter_map(|declared| {
+            let twin = declared.twins.first()?;
+            // Of a trait's method there is one, of its twins one for each type.
+            let place = order.iter().position(|function| function.path == *twin)?;
+            Some((place, declared.name))
+        });
+        let places: Vec<(usize, String)> = places.collect();
+        for pair in places.windows(2) {
+            if pair[0].0 > pair[1].0 {
+                found.push(format!(
+                    "src/wgsl/{}.wgsl: {} after {}",
+                    module.path(),
+                    pair[0].1,
+                    pair[1].1
+                ));
+            }
+        }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn every_item_is_declared_and_says_its_twin() {
+    let port = port();
+    for item in Item::ALL {
+        let name = item.name();
+        let is_file = item.module().is_some();
+        let whole = [format!("lobe_{name}"), format!("LOBE_{name}")];
+        let found = port.iter().find(|(_, declared)| whole.contains(&declared.name));
+        assert!(is_file || found.is_some(), "{name} is not declared");
+        if let Some((_, declared)) = found
+            && !is_file
+        {
+            assert_eq!(item.twin(), declared.twins.first().map(String::as_str), "{name}");
+        }
+    }
+}
+
+/// Constants that Rust states as values of its own types.
+fn public_constant(twin: &str) -> Option<f32> {
+    let variance = |filter: PixelFilter| filter.variance() as f32;
+    Some(match twin {
+        "Real::PI" => <f32 as Real>::PI,
+        "Real::EPSILON" => <f32 as Real>::EPSILON,
+        "Real::MIN_POSITIVE" => <f32 as Real>::MIN_POSITIVE,
+        "Real::MAX" => <f32 as Real>::MAX,
+        "Real::LARGEST" => <f32 as Real>::LARGEST,
+        "PixelFilter::BOX" => variance(PixelFilter::BOX),
+        "PixelFilter::KAPLANYAN" => variance(PixelFilter::KAPLANYAN),
+        "PixelFilter::TOKUYOSHI_KAPLANYAN" => variance(PixelFilter::TOKUYOSHI_KAPLANYAN),
+        "PixelFilter::KAPLANYAN_PROXY" => variance(PixelFilter::KAPLANYAN_PROXY),
+        "Footprint::WIDTH_LIMIT" => Footprint::<f32>::WIDTH_LIMIT as f32,
+        "Kernel::ALPHA_SQUARED_LIMIT" => Kernel::<f32>::ALPHA_SQUARED_LIMIT as f32,
+        "VmfWidening::THE_ORDER" => VmfWidening::THE_ORDER.gain() as f32,
+        "VmfWidening::SPECULAR_AA" => VmfWidening::SPECULAR_AA.gain() as f32,
+        "inverse_pi" => core::f64::consts::FRAC_1_PI as f32,
+        _ => {
+            let engine = twin.strip_prefix("Engine::")?;
+            Engine::ALL.iter().position(|all| format!("{all:?}") == engine)? as f32
+        }
+    })
+}
+
+#[test]
+fn constants_are_bit_equal() {
+    let mut count = 0;
+    for (path, declared) in port().iter().filter(|(_, declared)| declared.name.starts_with("LOBE_"))
+    {
+        let Some(twin) = declared.twins.first() else { continue };
+        count += 1;
+        let want: Vec<f32> = match public_constant(twin) {
+            Some(value) => vec![value],
+            None => value(&rust_text(path).expect("a Rust file"), twin)
+                .unwrap_or_else(|| panic!("no constant {twin} in src/{path}.rs")),
+        };
+        assert!(!declared.numbers.is_empty(), "{} has no number", declared.name);
+        let weights = declared.name.ends_with("_WEIGHTS");
+        let got = &declared.numbers;
+        // Quadrature rules state nodes, then weights, and the WGSL port half of the longest.
+        let want = if twin.starts_with("GAUSS_") {
+            let (nodes, rest) = want.split_at(want.len() / 2);
+            (if weights { rest } else { nodes })[..got.len()].to_vec()
+        } else {
+            want
+        };
+        let bits = |values: &[f32]| values.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+        assert_eq!(bits(got), bits(&want), "{} against {twin}: {got:?}, {want:?}", declared.name);
+    }
+    assert!(count > 40, "only {count} constants found");
+}
+
+#[test]
+fn the_laws_notice() {
+    let of = |text: &str| functions(text).pop().expect("a function");
+    let port = [(
+        "slope/ray",
+        declared("// Rust: `step`.\nfn lobe_ray_step() {\n}\n").pop().expect("one"),
+    )];
+    let says = |text: &str| complaint("slope/ray", &of(text), &port);
+    assert!(says("/// A.\npub fn step() {}\n").expect("silent").contains("says nothing of WGSL"));
+    assert!(says("/// WGSL: none.\npub fn step() {}\n").expect("unreasoned").contains("no reason"));
+    assert!(says("/// WGSL: `lobe_step`.\npub fn step() {}\n").expect("wrong").contains("has not"));
+    assert!(
+        says("/// WGSL: `lobe_ray_step`.\npub fn stop() {}\n")
+            .expect("other")
+            .contains("does not name it")
+    );
+    assert_eq!(says("/// WGSL: `lobe_ray_step`.\npub fn step() {}\n"), None);
+    assert_eq!(says("/// WGSL: none, it is text.\npub fn name() {}\n"), None);
+    assert_eq!(value("const A: f64 = 2.0 * 0.5 / 4.0;\n", "A"), Some(vec![0.25]));
+    assert_eq!(value("const A: [f32; 2] = [1.5,\n -2.0];\n", "A"), Some(vec![1.5, -2.0]));
+}
