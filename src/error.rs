@@ -4,151 +4,239 @@
 
 use core::fmt;
 
-/// The parameter that a constructor refused, one variant each.
+/// The number that a constructor refused.
+///
+/// Two values are equal if their bits are, so that NaN equals itself. [`Display`](fmt::Display) writes the
+/// shortest decimals that give the number back: those of an f32 if it is one.
 ///
 /// ```
-/// use lobe::{Error, Roughness};
-/// assert_eq!(Roughness::from_alpha(-0.1_f32), Err(Error::Alpha));
-/// assert_eq!(Error::Alpha.to_string(), "alpha must lie in [0, 1e9]");
+/// use lobe::Value;
+/// assert_eq!(Value::from(0.1_f32).to_string(), "0.1");
+/// assert_eq!(Value::from(f64::NAN), Value::from(f64::NAN));
+/// assert_eq!(Value::from(-2e9_f32).get(), -2e9);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Error {
-    /// `alpha` is outside `[0, 1e9]` or NaN.
-    Alpha,
-    /// `alpha_x` is outside `[0, 1e9]` or NaN.
-    AlphaX,
-    /// `alpha_y` is outside `[0, 1e9]` or NaN.
-    AlphaY,
-    /// `angle` is infinite or NaN.
-    Angle,
-    /// `perceptual` is outside `[0, 1]` or NaN.
-    Perceptual,
-    /// `sigma_x` is outside `[0, 1e9]` or NaN.
-    SigmaX,
-    /// `sigma_y` is outside `[0, 1e9]` or NaN.
-    SigmaY,
-    /// `sigma` is outside `[0, 1e9]` or NaN.
-    Sigma,
-    /// `width` is outside `[0, 1e9]` or NaN.
-    Width,
-    /// `sharpness` is outside `[1e-9, 1e18]` or NaN.
-    Sharpness,
-    /// `radius` is outside `[2e-9, 6e4]` or NaN.
-    Radius,
-    /// `rho` is outside `[-1, 1]` or NaN.
-    Rho,
-    /// `matrix` has an entry beyond 1e18 in magnitude, or NaN.
-    MatrixEntry,
-    /// `matrix` has a negative eigenvalue.
-    MatrixNotPositive,
-    /// `mean` has a component beyond 1e9 in magnitude, or NaN.
-    Mean,
-    /// `variance` is outside `[0, 1e9]` or NaN.
-    Variance,
-    /// `limit` is negative or NaN.
-    Limit,
-    /// `weight` is negative, infinite or NaN, or the weights sum to zero.
-    Weight,
-    /// A reflectance at normal incidence is outside `[0, 1]` or NaN.
-    Reflectance,
-    /// `eta` is outside `(0, 1e9]`, `k` outside `[0, 1e9]`, or one is NaN.
-    Index,
-    /// Slices that belong together differ in length.
-    Length,
-    /// A half vector is not finite or does not point above the surface, so it has no slope.
-    HalfVector,
-    /// A position or direction has no length, or is infinite or NaN.
-    Direction,
-    /// A slope cap is outside `(0, 1e9]` or NaN.
-    Cap,
-    /// A map's size and the number of its texels differ, or it has none.
-    MapSize,
-    /// The distance of a height map's texels is outside `[1e-9, 1e9]`, of either sign, or NaN.
-    Texel,
-    /// `displacement` is beyond 1e9 in magnitude, or NaN.
-    Displacement,
-    /// The length of a mean normal is outside `(0, 1 + sqrt(3)/254]` or NaN.
-    MeanLength,
-    /// `exponent` is outside `[0, 1e9]` or NaN.
-    Exponent,
-    /// A grid's spacing is outside `(0, 10]` or NaN, or it has no node.
-    Spacing,
-    /// The range of a storage is outside `(1e-9, 1e9]`, of halves `(1e-9, 255]`, or NaN.
-    Range,
-    /// A share of roughness is outside `(0, 1]` or NaN.
-    Fraction,
-    /// `density` is outside `[1e-18, 1e18]` or NaN.
-    Density,
-    /// `variation` is outside `[0, 4]` or NaN.
-    Variation,
-    /// `share` is outside `[0, 1]` or NaN.
-    Share,
-    /// The number of facets per unit area is outside `[1e-18, 1e30]` or NaN.
-    Facets,
-    /// A size, the means or the lobes' width of a recipe for a dictionary is out of range.
-    Recipe,
-    /// Bytes are not a dictionary's.
-    DictionaryMagic,
-    /// Bytes are a dictionary's, of another version of the layout.
-    DictionaryVersion,
-    /// Bytes of a dictionary are fewer or more than its header says.
-    DictionaryLength,
-    /// Bytes of a dictionary are damaged.
-    DictionaryChecksum,
-    /// Bytes of a dictionary are undamaged, and hold what are no densities.
-    DictionaryDensity,
+#[derive(Clone, Copy)]
+pub struct Value(f64);
+
+impl Value {
+    pub(crate) const fn new(value: f64) -> Self {
+        Self(value)
+    }
+
+    /// The number, as f64.
+    pub const fn get(self) -> f64 {
+        self.0
+    }
+}
+
+impl PartialEq for Value {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.to_bits() == other.0.to_bits() || self.0.is_nan() && other.0.is_nan()
+    }
+}
+
+impl Eq for Value {}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let single = self.0 as f32;
+        let plain = self.0 == 0.0 || (1e-5..1e7).contains(&self.0.abs()) || !self.0.is_finite();
+        match (f64::from(single) == self.0, plain) {
+            (true, true) => write!(f, "{single}"),
+            (true, false) => write!(f, "{single:e}"),
+            (false, true) => write!(f, "{}", self.0),
+            (false, false) => write!(f, "{:e}", self.0),
+        }
+    }
+}
+
+impl fmt::Debug for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// The enum, and what it says of numbers that lie outside of their range.
+macro_rules! errors {
+    (
+        numbers: { $($number:ident $name:literal $range:literal;)* }
+        others: { $($(#[$doc:meta])* $other:ident $(($($field:ty),*))? $({ $($named:ident: $of:ty),* })?,)* }
+    ) => {
+        /// What a constructor refused: the parameter, the value, and why.
+        ///
+        /// The message names the parameter and shows its value and range.
+        ///
+        /// ```
+        /// use lobe::{Error, Roughness};
+        /// let error = Roughness::from_alpha(-1.0_f32).unwrap_err();
+        /// assert_eq!(error, Error::Alpha((-1.0_f32).into()));
+        /// assert_eq!(error.to_string(), "alpha = -1 is not in [0, 1e9]");
+        /// ```
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[non_exhaustive]
+        pub enum Error {
+            $(#[doc = concat!("The parameter `", $name, "` is not in `", $range, "`.")] $number(Value),)*
+            $($(#[$doc])* $other $(($($field),*))? $({ $(#[doc = concat!("`", stringify!($named), "`.")] $named: $of),* })?,)*
+        }
+
+        impl Error {
+            /// Name, value and range of a number that is outside of it.
+            fn number(&self) -> Option<(&'static str, Value, &'static str)> {
+                match *self {
+                    $(Self::$number(value) => Some(($name, value, $range)),)*
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+errors! {
+    numbers: {
+    Alpha "alpha" "[0, 1e9]";
+    AlphaX "alpha_x" "[0, 1e9]";
+    AlphaY "alpha_y" "[0, 1e9]";
+    Angle "angle" "the finite numbers";
+    Perceptual "perceptual roughness" "[0, 1]";
+    SigmaX "sigma_x" "[0, 1e9]";
+    SigmaY "sigma_y" "[0, 1e9]";
+    Sigma "sigma" "[0, 1e9]";
+    Width "width" "[0, 1e9]";
+    Sharpness "sharpness" "[1e-9, 1e18]";
+    Radius "radius" "[2e-9, 6e4]";
+    Rho "rho" "[-1, 1]";
+    MatrixEntry "matrix entry" "[-1e18, 1e18]";
+    Mean "component of the mean slope" "[-1e9, 1e9]";
+    Variance "variance" "[0, 1e9]";
+    Limit "limit" "[0, inf]";
+    Weight "weight" "[0, inf)";
+    Reflectance "reflectance at normal incidence" "[0, 1]";
+    Eta "eta" "(0, 1e9]";
+    K "k" "[0, 1e9]";
+    Cap "slope cap" "(0, 1e9]";
+    Texel "distance of texels" "[1e-9, 1e9], of either sign";
+    Displacement "displacement" "[-1e9, 1e9]";
+    MeanLength "length of a mean normal" "(0, 1 + sqrt(3)/254]";
+    Exponent "exponent" "[0, 1e9]";
+    Spacing "spacing of nodes" "(0, 10]";
+    Range "range of stored slopes" "(1e-9, 1e9]";
+    HalfRange "range of slopes stored in halves" "(1e-9, 255]";
+    Fraction "fraction of roughness" "(0, 1]";
+    Density "density of details" "[1e-18, 1e18]";
+    Variation "variation" "[0, 4]";
+    Share "share" "[0, 1]";
+    Facets "density of facets" "[1e-18, 1e30]";
+    }
+    others: {
+        /// The matrix of the entries xx, xy and yy has a negative eigenvalue.
+        MatrixNotPositive([Value; 3]),
+        /// All weights are 0.
+        Weights,
+        /// Slices that belong together differ in length.
+        Length { expected: usize, found: usize },
+        /// A half vector is not finite or does not point above the surface, so it has no slope.
+        HalfVector([Value; 3]),
+        /// A derivative of the half vector's slope is not finite.
+        Derivative([Value; 2]),
+        /// A position or direction has no length, or is infinite or NaN.
+        Direction([Value; 3]),
+        /// A map's size and the number of its texels differ, or it has none.
+        MapSize { size: [usize; 2], texels: usize },
+        /// A quadrature has no node.
+        NoNode,
+        /// The number of a recipe's marginals is not in [1, 65536].
+        Marginals(u32),
+        /// The number of a recipe's levels is not in [1, 20].
+        Levels(u32),
+        /// The number of a recipe's intervals is not a power of two in [8, 4096].
+        Intervals(u32),
+        /// The width of a recipe's lobes is not in [2/`intervals`, 0.5].
+        LobeWidth { width: Value, intervals: u32 },
+        /// No rule for the means of lobes has this number.
+        LobeMeans(u32),
+        /// Bytes are not a dictionary's.
+        DictionaryMagic,
+        /// Bytes are a dictionary's, of another version of the layout.
+        DictionaryVersion(u32),
+        /// Bytes of a dictionary are fewer or more than its header says.
+        DictionaryLength { expected: usize, found: usize },
+        /// Bytes of a dictionary are damaged.
+        DictionaryChecksum { expected: u32, found: u32 },
+        /// Bytes of a dictionary are undamaged, and a table of them is no density with an integral of 1.
+        DictionaryDensity { table: usize },
+    }
+}
+
+/// Refuses a slice whose length is not that of the slice beside it.
+#[inline]
+pub(crate) fn same_length(expected: usize, found: usize) -> Result<(), Error> {
+    if found == expected { Ok(()) } else { Err(Error::Length { expected, found }) }
+}
+
+/// Numbers in parentheses.
+struct Tuple<'a>(&'a [Value]);
+
+impl fmt::Display for Tuple<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (k, value) in self.0.iter().enumerate() {
+            write!(f, "{}{value}", if k == 0 { "(" } else { ", " })?;
+        }
+        f.write_str(")")
+    }
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Alpha => "alpha must lie in [0, 1e9]",
-            Self::AlphaX => "alpha_x must lie in [0, 1e9]",
-            Self::AlphaY => "alpha_y must lie in [0, 1e9]",
-            Self::Angle => "angle must be finite",
-            Self::Perceptual => "perceptual roughness must lie in [0, 1]",
-            Self::SigmaX => "sigma_x must lie in [0, 1e9]",
-            Self::SigmaY => "sigma_y must lie in [0, 1e9]",
-            Self::Sigma => "sigma must lie in [0, 1e9]",
-            Self::Width => "width must lie in [0, 1e9]",
-            Self::Sharpness => "sharpness must lie in [1e-9, 1e18]",
-            Self::Radius => "radius must lie in [2e-9, 6e4]",
-            Self::Rho => "rho must lie in [-1, 1]",
-            Self::MatrixEntry => "matrix entries must lie in [-1e18, 1e18]",
-            Self::MatrixNotPositive => "matrix must be positive semi-definite",
-            Self::Mean => "mean slope must lie in [-1e9, 1e9]",
-            Self::Variance => "variance must lie in [0, 1e9]",
-            Self::Limit => "limit must not be negative",
-            Self::Weight => "weights must be finite and not negative, and not all zero",
-            Self::Reflectance => "reflectance at normal incidence must lie in [0, 1]",
-            Self::Index => "index of refraction: eta must lie in (0, 1e9], k in [0, 1e9]",
-            Self::Length => "slices must have one length",
-            Self::HalfVector => "half vector must be finite and point above the surface",
-            Self::Direction => "direction or position must be finite and have a length",
-            Self::Cap => "slope cap must lie in (0, 1e9]",
-            Self::MapSize => "a map must have as many texels as its size says, and at least one",
-            Self::Texel => "distances of texels must lie in [1e-9, 1e9], of either sign",
-            Self::Displacement => "displacement must lie in [-1e9, 1e9]",
-            Self::MeanLength => "length of a mean normal must lie in (0, 1 + sqrt(3)/254]",
-            Self::Exponent => "exponent must lie in [0, 1e9]",
-            Self::Spacing => "spacing of a grid must lie in (0, 10], and it needs a node",
-            Self::Range => "range of stored slopes must lie in (1e-9, 1e9], of halves (1e-9, 255]",
-            Self::Fraction => "fractions of roughness must lie in (0, 1]",
-            Self::Density => "density of details must lie in [1e-18, 1e18]",
-            Self::Variation => "variation must lie in [0, 4]",
-            Self::Share => "share must lie in [0, 1]",
-            Self::Facets => "density of facets must lie in [1e-18, 1e30]",
-            Self::Recipe => {
-                "a recipe needs 1 to 65536 marginals, 1 to 20 levels, intervals of a power of two from 8 to 4096, \
-                 a width from 2/intervals to 0.5, and means that it knows"
+        if let Some((name, value, range)) = self.number() {
+            return write!(f, "{name} = {value} is not in {range}");
+        }
+        match self {
+            Self::MatrixNotPositive([xx, xy, yy]) => {
+                write!(f, "matrix [[{xx}, {xy}], [{xy}, {yy}]] is not positive semi-definite")
             }
-            Self::DictionaryMagic => "not the bytes of a dictionary",
-            Self::DictionaryVersion => "bytes of a dictionary have another version than 1",
-            Self::DictionaryLength => "bytes of a dictionary must be as many as its header says",
-            Self::DictionaryChecksum => "bytes of a dictionary are damaged: their checksum differs",
-            Self::DictionaryDensity => "nodes of a dictionary must be densities with an integral of 1",
-        })
+            Self::Weights => f.write_str("all weights are 0"),
+            Self::Length { expected, found } => {
+                write!(f, "slices differ in length: {found} is not {expected}")
+            }
+            Self::HalfVector(h) => {
+                write!(f, "half vector {} is not finite, or not above the surface", Tuple(h))
+            }
+            Self::Derivative(d) => {
+                write!(f, "derivative {} of the half vector's slope is not finite", Tuple(d))
+            }
+            Self::Direction(w) => {
+                write!(f, "direction or position {} is not finite, or has no length", Tuple(w))
+            }
+            Self::MapSize { size: [width, height], texels } => {
+                write!(f, "a map of {width} x {height} texels cannot have {texels}")
+            }
+            Self::NoNode => f.write_str("a quadrature of 0 nodes has no sum"),
+            Self::Marginals(n) => write!(f, "marginals = {n} is not in [1, 65536]"),
+            Self::Levels(n) => write!(f, "levels = {n} is not in [1, 20]"),
+            Self::Intervals(n) => write!(f, "intervals = {n} is not a power of two in [8, 4096]"),
+            Self::LobeWidth { width, intervals } => {
+                write!(f, "width = {width} is not in [2/{intervals}, 0.5]")
+            }
+            Self::LobeMeans(n) => write!(f, "means = {n} is not in [0, 1]"),
+            Self::DictionaryMagic => f.write_str("bytes do not begin as a dictionary's"),
+            Self::DictionaryVersion(n) => {
+                write!(f, "version = {n} of a dictionary's bytes is not 1")
+            }
+            Self::DictionaryLength { expected, found } => {
+                write!(f, "a dictionary's {found} bytes are not the {expected} of its header")
+            }
+            Self::DictionaryChecksum { expected, found } => write!(
+                f,
+                "a dictionary's bytes are damaged: their checksum {found:#010x} is not {expected:#010x}"
+            ),
+            Self::DictionaryDensity { table } => {
+                write!(
+                    f,
+                    "table {table} of a dictionary's bytes is no density with an integral of 1"
+                )
+            }
+            _ => Ok(()),
+        }
     }
 }
 

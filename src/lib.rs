@@ -130,7 +130,7 @@ pub mod slope;
 #[cfg(feature = "wgsl")]
 pub mod wgsl;
 
-pub use error::Error;
+pub use error::{Error, Value};
 pub use filter::{Kernel, PixelFilter};
 pub use ndf::{Beckmann, Distribution, Ggx, Ndf};
 #[cfg(feature = "probe")]

@@ -156,7 +156,7 @@ impl Options {
         // Checked with one texel, before there are any.
         match HeightField::new([1, 1], &[0.0], relief.texel, displacement, relief.border) {
             Ok(_) => Ok(Some(relief)),
-            Err(lobe::Error::Texel) => Err(format!("--texel {distance}: {}", lobe::Error::Texel)),
+            Err(error @ lobe::Error::Texel(_)) => Err(format!("--texel {distance}: {error}")),
             Err(error) => Err(format!("--height {height}: {error}")),
         }
     }

@@ -4,7 +4,7 @@
 //! derivative vectors: a sum, a mean, the largest, a rectangle.
 
 use super::kernel::PixelFilter;
-use crate::error::Error;
+use crate::error::{Error, Value};
 use crate::scalar::{Psd, Real};
 use crate::slope::Footprint;
 use crate::slope::direction::dot;
@@ -142,9 +142,11 @@ pub fn kaplanyan_deferred_alphas<R: Real>(
 ) -> Result<[R; 2], Error> {
     let ([x, y], [width, height]) = (alphas.into(), footprint.extents());
     let twice = R::TWO * variance::<R>(filter);
-    let along = |alpha: R, width: R, error: Error| {
-        widened(alpha, twice * width * width, limit)
-            .map_err(|other| if other == Error::Alpha { error } else { other })
+    let along = |alpha: R, width: R, refused: fn(Value) -> Error| {
+        widened(alpha, twice * width * width, limit).map_err(|error| match error {
+            Error::Alpha(alpha) => refused(alpha),
+            other => other,
+        })
     };
     Ok([along(x, width, Error::AlphaX)?, along(y, height, Error::AlphaY)?])
 }
@@ -224,10 +226,10 @@ fn variance<R: Real>(filter: PixelFilter) -> R {
 /// $\sqrt{\alpha^2 + \min(\mathrm{added}, \mathrm{limit})}$, at most 1 unless alpha is more.
 pub(super) fn widened<R: Real>(alpha: R, added: R, limit: R) -> Result<R, Error> {
     if !alpha.is_magnitude() {
-        return Err(Error::Alpha);
+        return Err(Error::Alpha(alpha.into()));
     }
     if !(limit >= R::ZERO) {
-        return Err(Error::Limit);
+        return Err(Error::Limit(limit.into()));
     }
     // `max` drops NaN: derivatives without a number add nothing.
     let added = added.max(R::ZERO).min(limit);

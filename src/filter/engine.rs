@@ -187,7 +187,7 @@ impl Engine {
         dn_v: impl Into<[R; 3]>,
     ) -> Result<R, Error> {
         if !alpha.is_magnitude() {
-            return Err(Error::Alpha);
+            return Err(Error::Alpha(alpha.into()));
         }
         let (u, v, lit) = (dn_u.into(), dn_v.into(), R::lit);
         let (u_squared, v_squared) = (norm_squared(u), norm_squared(v));

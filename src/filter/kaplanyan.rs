@@ -110,10 +110,10 @@ fn normalized<R: Real>(alphas: [R; 2], widths: [R; 2], terms: R) -> R {
 /// WGSL: `lobe_kaplanyan_proxy_alpha`.
 pub fn kaplanyan_proxy_alpha<R: Real>(alpha: R, width: R) -> Result<R, Error> {
     if !alpha.is_magnitude() {
-        return Err(Error::Alpha);
+        return Err(Error::Alpha(alpha.into()));
     }
     if !width.is_magnitude() {
-        return Err(Error::Width);
+        return Err(Error::Width(width.into()));
     }
     Ok((alpha * alpha + width * width).sqrt())
 }

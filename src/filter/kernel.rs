@@ -45,7 +45,11 @@ impl PixelFilter {
     ///
     /// WGSL: none, variances are plain numbers there.
     pub fn with_variance(variance: f64) -> Result<Self, Error> {
-        if variance.is_magnitude() { Ok(Self { variance }) } else { Err(Error::Variance) }
+        if variance.is_magnitude() {
+            Ok(Self { variance })
+        } else {
+            Err(Error::Variance(variance.into()))
+        }
     }
 
     /// The variance in squared pixels.

@@ -5,6 +5,7 @@
 
 use crate::error::Error;
 use crate::scalar::Real;
+use crate::slope::direction::checked_slope;
 
 /// How much longer than 1 a mean of unit normals may be: $\sqrt 3/254$, what storing its components in 8 bits adds.
 ///
@@ -25,7 +26,11 @@ pub const MEAN_LENGTH_TOLERANCE: f64 = 0.006_819_097_667_594_005;
 /// The length of a mean of unit normals, in (0, 1].
 fn checked<R: Real>(length: R) -> Result<R, Error> {
     let most = R::ONE + R::lit(MEAN_LENGTH_TOLERANCE);
-    if length > R::ZERO && length <= most { Ok(length.min(R::ONE)) } else { Err(Error::MeanLength) }
+    if length > R::ZERO && length <= most {
+        Ok(length.min(R::ONE))
+    } else {
+        Err(Error::MeanLength(length.into()))
+    }
 }
 
 /// Slope variance per axis from the length of a mean unit normal, $\sigma^2 = (1 - |N|)/|N|$.
@@ -68,7 +73,7 @@ pub fn toksvig_variance<R: Real>(length: R) -> Result<R, Error> {
 /// WGSL: `lobe_toksvig_exponent`.
 pub fn toksvig_exponent<R: Real>(exponent: R, length: R) -> Result<R, Error> {
     if !exponent.is_magnitude() {
-        return Err(Error::Exponent);
+        return Err(Error::Exponent(exponent.into()));
     }
     let length = checked(length)?;
     Ok(exponent * length / (length + exponent * (R::ONE - length)))
@@ -93,12 +98,9 @@ pub fn toksvig_exponent<R: Real>(exponent: R, length: R) -> Result<R, Error> {
 ///
 /// WGSL: `lobe_clean_variance`.
 pub fn clean_variance<R: Real>(mean: impl Into<[R; 2]>, second: R) -> Result<R, Error> {
-    let [x, y] = mean.into();
-    if !(x.is_slope() && y.is_slope()) {
-        return Err(Error::Mean);
-    }
+    let [x, y] = checked_slope(mean)?;
     if !(second.abs() <= R::LARGEST * R::LARGEST) {
-        return Err(Error::MatrixEntry);
+        return Err(Error::MatrixEntry(second.into()));
     }
     let squares = crate::scalar::exact::add_products(second, -x, x, -y, y);
     Ok((R::HALF * squares).max(R::ZERO))
@@ -165,7 +167,7 @@ impl VmfWidening {
     /// WGSL: `lobe_vmf_alpha`.
     pub fn alpha<R: Real>(self, alpha: R, length: R) -> Result<R, Error> {
         if !alpha.is_magnitude() {
-            return Err(Error::Alpha);
+            return Err(Error::Alpha(alpha.into()));
         }
         let added = (R::lit(self.gain) / vmf_sharpness(length)?).min(R::LARGEST * R::LARGEST);
         Ok((alpha * alpha + added).sqrt())

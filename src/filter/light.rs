@@ -4,7 +4,7 @@
 
 use super::kernel::{Kernel, PixelFilter};
 use super::projected::DiskKernel;
-use crate::error::Error;
+use crate::error::{Error, Value};
 use crate::scalar::Real;
 use crate::slope::direction::{dot, normalize};
 use crate::slope::{Footprint, Motion};
@@ -41,14 +41,15 @@ impl<R: Real> SphericalGaussian<R> {
     ///
     /// WGSL: `lobe_spherical_gaussian_new`.
     pub fn new(direction: impl Into<[R; 3]>, sharpness: R) -> Result<Self, Error> {
-        let direction = normalize(direction);
+        let given = direction.into();
+        let direction = normalize(given);
         // `normalize` gives zeros for no length or an infinite one, and keeps NaN.
         if !(dot(direction, direction) > R::HALF) {
-            return Err(Error::Direction);
+            return Err(Error::Direction(given.map(Value::from)));
         }
         let least = R::ONE / R::LARGEST;
         if !(sharpness >= least && sharpness <= R::LARGEST * R::LARGEST) {
-            return Err(Error::Sharpness);
+            return Err(Error::Sharpness(sharpness.into()));
         }
         Ok(Self { direction, sharpness })
     }
@@ -63,8 +64,10 @@ impl<R: Real> SphericalGaussian<R> {
     pub fn from_angular_radius(direction: impl Into<[R; 3]>, radius: R) -> Result<Self, Error> {
         // A radius of either sign has one square.
         let sharpness = if radius > R::ZERO { R::lit(4.0) / radius / radius } else { R::ZERO };
-        Self::new(direction, sharpness)
-            .map_err(|error| if error == Error::Sharpness { Error::Radius } else { error })
+        Self::new(direction, sharpness).map_err(|error| match error {
+            Error::Sharpness(_) => Error::Radius(radius.into()),
+            other => other,
+        })
     }
 
     /// The unit direction of the brightest point.

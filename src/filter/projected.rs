@@ -207,10 +207,10 @@ impl<R: Real> Roughness<R> {
 /// WGSL: `lobe_projected_alpha`.
 pub fn projected_alpha<R: Real>(alpha: R, added: R) -> Result<R, Error> {
     if !alpha.is_magnitude() {
-        return Err(Error::Alpha);
+        return Err(Error::Alpha(alpha.into()));
     }
     if !added.is_magnitude() {
-        return Err(Error::Variance);
+        return Err(Error::Variance(added.into()));
     }
     if alpha < R::ONE { Ok(filtered_square(alpha * alpha, added).sqrt()) } else { Ok(alpha) }
 }

@@ -41,10 +41,10 @@ use crate::slope::{Anisotropic, Footprint, Lobe, LobeShape, Roughness};
 /// WGSL: `lobe_box_peak_alpha`.
 pub fn box_peak_alpha<R: Real>(alpha: R, width: R) -> Result<R, Error> {
     if !alpha.is_magnitude() {
-        return Err(Error::Alpha);
+        return Err(Error::Alpha(alpha.into()));
     }
     if !width.is_magnitude() {
-        return Err(Error::Width);
+        return Err(Error::Width(width.into()));
     }
     let diagonal = (R::lit(4.0) * alpha * alpha + width * width).sqrt();
     let x = width / diagonal.max(R::MIN_POSITIVE);
@@ -73,10 +73,10 @@ pub fn box_peak_alpha<R: Real>(alpha: R, width: R) -> Result<R, Error> {
 /// WGSL: `lobe_gaussian_peak_alpha`.
 pub fn gaussian_peak_alpha<R: Real>(alpha: R, sigma: R) -> Result<R, Error> {
     if !alpha.is_magnitude() {
-        return Err(Error::Alpha);
+        return Err(Error::Alpha(alpha.into()));
     }
     if !sigma.is_magnitude() {
-        return Err(Error::Sigma);
+        return Err(Error::Sigma(sigma.into()));
     }
     let added = R::TWO * sigma * sigma;
     let square = alpha * alpha;

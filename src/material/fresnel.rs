@@ -52,10 +52,9 @@ impl<R: Real> Fresnel<R> {
     ///
     /// WGSL: `lobe_fresnel_schlick`.
     pub fn schlick(normal: [R; 3]) -> Result<Self, Error> {
-        if normal.iter().all(|f| *f >= R::ZERO && *f <= R::ONE) {
-            Ok(Self { term: Term::Schlick { normal } })
-        } else {
-            Err(Error::Reflectance)
+        match normal.iter().find(|f| !(**f >= R::ZERO && **f <= R::ONE)) {
+            Some(&f) => Err(Error::Reflectance(f.into())),
+            None => Ok(Self { term: Term::Schlick { normal } }),
         }
     }
 
@@ -70,7 +69,7 @@ impl<R: Real> Fresnel<R> {
     /// Source: Born & Wolf, section 14.2, as sums of squares, which do not cancel.
     ///
     /// # Errors
-    /// [`Error::Index`] unless `eta` lies in $(0, 10^9]$ and `k` in $[0, 10^9]$.
+    /// [`Error::Eta`] unless `eta` lies in $(0, 10^9]$; [`Error::K`] unless `k` lies in $[0, 10^9]$.
     ///
     /// ```
     /// use lobe::material::Fresnel;
@@ -82,11 +81,12 @@ impl<R: Real> Fresnel<R> {
     ///
     /// WGSL: `lobe_fresnel_conductor`.
     pub fn conductor(eta: [R; 3], k: [R; 3]) -> Result<Self, Error> {
-        let valid = eta.iter().chain(&k).all(|x| x.is_magnitude());
-        if valid && eta.iter().all(|x| *x > R::ZERO) {
-            Ok(Self { term: Term::Conductor { eta, k } })
-        } else {
-            Err(Error::Index)
+        if let Some(&x) = eta.iter().find(|x| !(x.is_magnitude() && **x > R::ZERO)) {
+            return Err(Error::Eta(x.into()));
+        }
+        match k.iter().find(|x| !x.is_magnitude()) {
+            Some(&x) => Err(Error::K(x.into())),
+            None => Ok(Self { term: Term::Conductor { eta, k } }),
         }
     }
 

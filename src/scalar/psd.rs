@@ -6,7 +6,7 @@
 
 use super::Real;
 use super::exact::{cross, difference_of_products, sum_of_products};
-use crate::error::Error;
+use crate::error::{Error, Value};
 use core::ops::{Add, Mul};
 
 /// A symmetric positive semi-definite matrix `[[xx, xy], [xy, yy]]`: a roughness or a covariance.
@@ -51,13 +51,13 @@ impl<R: Real> Psd<R> {
     /// WGSL: `lobe_psd_new`.
     pub fn new(xx: R, xy: R, yy: R) -> Result<Self, Error> {
         let largest = R::LARGEST * R::LARGEST;
-        if ![xx, xy, yy].iter().all(|entry| entry.abs() <= largest) {
-            return Err(Error::MatrixEntry);
+        if let Some(&beyond) = [xx, xy, yy].iter().find(|entry| !(entry.abs() <= largest)) {
+            return Err(Error::MatrixEntry(beyond.into()));
         }
         let det = difference_of_products(xx, yy, xy, xy);
         let rounding = R::TWO * R::EPSILON * (xx * yy).abs() + R::MIN_POSITIVE;
         if xx < R::ZERO || yy < R::ZERO || det < -rounding {
-            return Err(Error::MatrixNotPositive);
+            return Err(Error::MatrixNotPositive([xx, xy, yy].map(Value::from)));
         }
         Ok(Self::from_entries(xx, xy, yy))
     }

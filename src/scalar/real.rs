@@ -3,6 +3,7 @@
 //! Layer 0. Sealed by [`Internal`]: the polynomials behind `exp`, `atan` and `erfc` exist for these two widths only. (The feature
 //! `probe` adds f32s that measure.)
 
+use crate::error::Value;
 use core::fmt::{Debug, Display};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -125,6 +126,13 @@ pub trait Real:
     ///
     /// WGSL: `lobe_ierfcx`.
     fn ierfcx(self) -> Self;
+}
+
+impl<R: Real> From<R> for Value {
+    #[cold]
+    fn from(x: R) -> Self {
+        Self::new(x.to_f64())
+    }
 }
 
 /// What formulas ask of a precision beside [`Real`], which it seals: no name outside of this crate reaches it.

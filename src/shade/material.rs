@@ -2,7 +2,7 @@
 //!
 //! Layer 5.
 
-use crate::error::Error;
+use crate::error::{Error, same_length};
 use crate::filter::Kernel;
 use crate::material::Fresnel;
 use crate::ndf::{BeckmannDistribution, Distribution, GgxDistribution, Ndf};
@@ -174,9 +174,8 @@ pub fn bake_all<D: Distribution, R: Real>(
     kernels: &[Kernel<R>],
     out: &mut [Shading<D, R>],
 ) -> Result<(), Error> {
-    if materials.len() != out.len() || kernels.len() != out.len() {
-        return Err(Error::Length);
-    }
+    same_length(out.len(), materials.len())?;
+    same_length(out.len(), kernels.len())?;
     for ((out, material), kernel) in out.iter_mut().zip(materials).zip(kernels) {
         *out = material.bake(kernel);
     }
@@ -198,7 +197,8 @@ pub fn bake_all<D: Distribution, R: Real>(
 /// let up = [0.0, 0.0, 1.0];
 /// evaluate_all(&baked, &[up, up], &[up, [0.0, 0.0, -1.0]], &mut radiance)?;
 /// assert!(radiance[0][0] > 1.0 && radiance[1] == [0.0; 3]);
-/// assert_eq!(evaluate_all(&baked, &[up], &[up, up], &mut radiance), Err(lobe::Error::Length));
+/// let short = evaluate_all(&baked, &[up], &[up, up], &mut radiance);
+/// assert_eq!(short, Err(lobe::Error::Length { expected: 2, found: 1 }));
 /// # Ok::<(), lobe::Error>(())
 /// ```
 ///
@@ -209,8 +209,8 @@ pub fn evaluate_all<D: Distribution, R: Real>(
     wi: &[[R; 3]],
     out: &mut [[R; 3]],
 ) -> Result<(), Error> {
-    if shadings.len() != out.len() || wo.len() != out.len() || wi.len() != out.len() {
-        return Err(Error::Length);
+    for length in [shadings.len(), wo.len(), wi.len()] {
+        same_length(out.len(), length)?;
     }
     for (((out, shading), &wo), &wi) in out.iter_mut().zip(shadings).zip(wo).zip(wi) {
         *out = shading.evaluate(wo, wi);

@@ -168,7 +168,7 @@ impl<R: Real> SlopeMoments<R> {
     /// WGSL: none, shaders have axes, not angles: `lobe_slope_moments_transformed` takes them.
     pub fn rotated(&self, angle: R) -> Result<Self, Error> {
         if !angle.is_finite() {
-            return Err(Error::Angle);
+            return Err(Error::Angle(angle.into()));
         }
         let (sin, cos) = angle.sin_cos();
         Ok(self.transformed([[cos, -sin], [sin, cos]]))

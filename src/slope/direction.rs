@@ -3,6 +3,7 @@
 //! Layer 1. A slope is $s = (-m_x/m_z, -m_y/m_z)$, the sign of Heitz, LEADR and Chermain. Kaplanyan
 //! and Tokuyoshi write $+m_{xy}/m_z$: their point is $-s$.
 
+use crate::error::Error;
 use crate::scalar::Real;
 use crate::scalar::exact::add_products;
 
@@ -103,4 +104,14 @@ pub fn reflect<R: Real>(w: impl Into<[R; 3]>, m: impl Into<[R; 3]>) -> [R; 3] {
     let (w, m) = (w.into(), m.into());
     let twice = R::TWO * dot(w, m);
     [twice * m[0] - w[0], twice * m[1] - w[1], twice * m[2] - w[2]]
+}
+
+/// A slope whose components are in range.
+#[inline]
+pub(crate) fn checked_slope<R: Real>(slope: impl Into<[R; 2]>) -> Result<[R; 2], Error> {
+    let slope = slope.into();
+    match slope.iter().find(|x| !x.is_slope()) {
+        Some(&x) => Err(Error::Mean(x.into())),
+        None => Ok(slope),
+    }
 }

@@ -4,7 +4,7 @@
 
 use super::direction::slope_of;
 use super::jacobian::{Matrix, apply, disk_to_slope};
-use crate::error::Error;
+use crate::error::{Error, Value};
 use crate::scalar::Real;
 use crate::scalar::exact::cross;
 use core::ops::{Mul, Sub};
@@ -97,17 +97,12 @@ impl<R: Real> Footprint<R> {
         right: impl Into<[R; 3]>,
         up: impl Into<[R; 3]>,
     ) -> Result<Self, Error> {
-        let [here, right, up] = [h.into(), right.into(), up.into()]
-            .map(|h| (h[2] > R::ZERO && h.iter().all(|x| x.is_finite())).then(|| slope_of(h)));
-        match (here, right, up) {
-            (Some(s), Some(r), Some(t)) => {
-                let footprint =
-                    Self { u: [r[0] - s[0], r[1] - s[1]], v: [t[0] - s[0], t[1] - s[1]] };
-                let finite = footprint.u.iter().chain(&footprint.v).all(|x| x.is_finite());
-                if finite { Ok(footprint) } else { Err(Error::HalfVector) }
-            }
-            _ => Err(Error::HalfVector),
-        }
+        let slope = |h: [R; 3]| {
+            let above = h[2] > R::ZERO && h.iter().all(|x| x.is_finite());
+            if above { Ok(slope_of(h)) } else { Err(Error::HalfVector(h.map(Value::from))) }
+        };
+        let (s, r, t) = (slope(h.into())?, slope(right.into())?, slope(up.into())?);
+        Self { u: [r[0] - s[0], r[1] - s[1]], v: [t[0] - s[0], t[1] - s[1]] }.known()
     }
 
     /// From steps of the surface point in its tangent plane, one per pixel axis, and the matrix M of
@@ -187,6 +182,13 @@ impl<R: Real> Footprint<R> {
         // The quotient first: a tiny factor would have lost its digits.
         let shrink = |x: R| (x / diameter).kept() * limit;
         Self { u: self.u.map(shrink), v: self.v.map(shrink) }
+    }
+
+    /// The footprint, if its derivatives are finite.
+    #[inline]
+    pub(super) fn known(self) -> Result<Self, Error> {
+        let unknown = [self.u, self.v].into_iter().find(|d| !d.iter().all(|x| x.is_finite()));
+        unknown.map_or(Ok(self), |d| Err(Error::Derivative(d.map(Value::from))))
     }
 
     /// The largest component in magnitude.

@@ -3,6 +3,7 @@
 //! Layer 1. Upstream (footprints, normal maps, displacement) everything ends in a mean slope and a
 //! roughness; downstream (distributions, masking, shading) nothing else is asked for.
 
+use super::direction::checked_slope;
 use super::non_centered::NonCentered;
 use super::roughness::Roughness;
 use super::shape::Anisotropic;
@@ -32,12 +33,7 @@ impl<R: Real> Lobe<R> {
     ///
     /// WGSL: `lobe_lobe_new`.
     pub fn new(mean: impl Into<[R; 2]>, roughness: Roughness<R>) -> Result<Self, Error> {
-        let mean = mean.into();
-        if mean[0].is_slope() && mean[1].is_slope() {
-            Ok(Self { mean, roughness })
-        } else {
-            Err(Error::Mean)
-        }
+        Ok(Self { mean: checked_slope(mean)?, roughness })
     }
 
     /// A lobe around the normal.

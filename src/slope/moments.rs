@@ -2,6 +2,7 @@
 //!
 //! Layer 1. Raw moments filter linearly and cancel; the merge of means and covariances does neither.
 
+use super::direction::checked_slope;
 use super::lobe::Lobe;
 use super::roughness::Roughness;
 use crate::error::Error;
@@ -34,12 +35,7 @@ impl<R: Real> SlopeMoments<R> {
     ///
     /// WGSL: `lobe_slope_moments_new`.
     pub fn new(mean: impl Into<[R; 2]>, covariance: Psd<R>) -> Result<Self, Error> {
-        let mean = mean.into();
-        if mean[0].is_slope() && mean[1].is_slope() {
-            Ok(Self { mean, covariance })
-        } else {
-            Err(Error::Mean)
-        }
+        Ok(Self { mean: checked_slope(mean)?, covariance })
     }
 
     /// The same of a mean and a covariance that are known to be in range.
@@ -78,8 +74,8 @@ impl<R: Real> SlopeMoments<R> {
     /// WGSL: `lobe_slope_moments_from_raw`.
     pub fn from_raw(mean: impl Into<[R; 2]>, second: [R; 3]) -> Result<Self, Error> {
         let [x, y] = mean.into();
-        if !second.iter().all(|m| m.abs() <= R::LARGEST * R::LARGEST) {
-            return Err(Error::MatrixEntry);
+        if let Some(&beyond) = second.iter().find(|m| !(m.abs() <= R::LARGEST * R::LARGEST)) {
+            return Err(Error::MatrixEntry(beyond.into()));
         }
         let center = Self::of_slope([x, y])?;
         let central =
@@ -112,13 +108,18 @@ impl<R: Real> SlopeMoments<R> {
     /// positive semi-definite, nothing cancels.
     ///
     /// # Errors
-    /// [`Error::Weight`] if a weight is negative or not finite, or both are 0.
+    /// [`Error::Weight`] if a weight is negative or not finite, or their sum is infinite;
+    /// [`Error::Weights`] if both are 0.
     ///
     /// WGSL: `lobe_slope_moments_merged`.
     pub fn merged(&self, weight: R, other: &Self, other_weight: R) -> Result<Self, Error> {
         let sum = weight + other_weight;
-        if !(weight >= R::ZERO && other_weight >= R::ZERO && sum > R::ZERO && sum.is_finite()) {
-            return Err(Error::Weight);
+        if !(weight >= R::ZERO && other_weight >= R::ZERO && sum.is_finite()) {
+            let first = !(weight >= R::ZERO && weight.is_finite());
+            return Err(Error::Weight(if first { weight } else { other_weight }.into()));
+        }
+        if !(sum > R::ZERO) {
+            return Err(Error::Weights);
         }
         Ok(self.shared(weight / sum, other, other_weight / sum))
     }

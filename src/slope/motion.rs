@@ -4,7 +4,7 @@
 //! shading normal, any frame; Kaplanyan's matrix M is the case of a smooth surface ([`Path`](super::Path)).
 
 use super::footprint::Footprint;
-use crate::error::Error;
+use crate::error::{Error, Value};
 use crate::scalar::Real;
 
 /// Changes at a shaded point over one pixel, in its shading frame.
@@ -56,8 +56,8 @@ impl<R: Real> Footprint<R> {
     /// Eq. 17, is `half_vector` = 0.
     ///
     /// # Errors
-    /// [`Error::HalfVector`] unless the half vector is finite and points above the surface, and the derivatives
-    /// are finite numbers.
+    /// [`Error::HalfVector`] unless the half vector is finite and points above the surface;
+    /// [`Error::Derivative`] unless the derivatives are finite.
     ///
     /// ```
     /// use lobe::{Footprint, slope::Motion};
@@ -82,7 +82,6 @@ impl<R: Real> Footprint<R> {
         let above = g[2] > R::ZERO && g.iter().all(|x| x.is_finite());
         // The slope is minus the plane point.
         let [u, v] = [u, v].map(|motion| motion.plane_step(g).map(|x| -x));
-        let finite = u.iter().chain(&v).all(|x| x.is_finite());
-        if above && finite { Ok(Self { u, v }) } else { Err(Error::HalfVector) }
+        if above { Self { u, v }.known() } else { Err(Error::HalfVector(g.map(Value::from))) }
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! Layer 1.
 
+use super::direction::checked_slope;
 use super::shape::LobeShape;
 use crate::error::Error;
 use crate::scalar::Internal;
@@ -31,12 +32,7 @@ impl<S: LobeShape> NonCentered<S> {
     /// WGSL: `lobe_non_centered_new`.
     #[inline]
     pub fn new(shape: S, mean: impl Into<[S::Scalar; 2]>) -> Result<Self, Error> {
-        let mean = mean.into();
-        if mean[0].is_slope() && mean[1].is_slope() {
-            Ok(Self { shape, mean })
-        } else {
-            Err(Error::Mean)
-        }
+        Ok(Self { shape, mean: checked_slope(mean)? })
     }
 
     /// The same for a mean that is known to be valid.

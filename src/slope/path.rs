@@ -6,7 +6,7 @@
 use super::direction::dot;
 use super::jacobian::Matrix;
 use super::motion::Motion;
-use crate::error::Error;
+use crate::error::{Error, Value};
 use crate::scalar::Real;
 
 /// One end of a light path seen from the shaded point: a direction and one over the distance.
@@ -42,7 +42,7 @@ impl<R: Real> Vertex<R> {
         // flushed to 0, a `scale` of 0 would pass.
         let invertible = (scale.min(R::ONE) * R::MAX).kept() >= R::ONE;
         if !(invertible && position.iter().all(|x| x.is_finite())) {
-            return Err(Error::Direction);
+            return Err(Error::Direction(position.map(Value::from)));
         }
         let unit = position.map(|x| (x / scale).kept());
         // The exact length is at least 1. On GPUs that flush the quotient by a huge `scale` to 0, `max` restores that.

@@ -5,7 +5,7 @@
 //! `A = 2 Sigma` is what [`Roughness::from_covariance`] and [`Roughness::covariance`] are for.
 
 use super::jacobian::Matrix;
-use crate::error::Error;
+use crate::error::{Error, Value};
 use crate::scalar::{Psd, Real};
 use core::ops::Add;
 
@@ -46,8 +46,8 @@ pub struct Alphas<R> {
 }
 
 /// `x` if it lies in the range of alphas and deviations.
-fn non_negative<R: Real>(x: R, error: Error) -> Result<R, Error> {
-    if x.is_magnitude() { Ok(x) } else { Err(error) }
+fn non_negative<R: Real>(x: R, error: fn(Value) -> Error) -> Result<R, Error> {
+    if x.is_magnitude() { Ok(x) } else { Err(error(x.into())) }
 }
 
 impl<R: Real> Roughness<R> {
@@ -74,7 +74,7 @@ impl<R: Real> Roughness<R> {
         let alpha_x = non_negative(alpha_x, Error::AlphaX)?;
         let alpha_y = non_negative(alpha_y, Error::AlphaY)?;
         if !angle.is_finite() {
-            return Err(Error::Angle);
+            return Err(Error::Angle(angle.into()));
         }
         let (sin, cos) = angle.sin_cos();
         Ok(Self { matrix: Psd::from_axes(alpha_x, alpha_y, cos, sin) })
@@ -88,7 +88,7 @@ impl<R: Real> Roughness<R> {
     /// WGSL: `lobe_roughness_from_perceptual`.
     pub fn from_perceptual(perceptual: R) -> Result<Self, Error> {
         if !(perceptual >= R::ZERO && perceptual <= R::ONE) {
-            return Err(Error::Perceptual);
+            return Err(Error::Perceptual(perceptual.into()));
         }
         Self::from_alpha(perceptual * perceptual)
     }
@@ -119,7 +119,7 @@ impl<R: Real> Roughness<R> {
         let sigma_x = non_negative(sigma_x, Error::SigmaX)?;
         let sigma_y = non_negative(sigma_y, Error::SigmaY)?;
         if !(rho.abs() <= R::ONE) {
-            return Err(Error::Rho);
+            return Err(Error::Rho(rho.into()));
         }
         Ok(Self::from_covariance(Psd::from_deviations(sigma_x, sigma_y, rho)))
     }

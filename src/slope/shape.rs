@@ -97,7 +97,7 @@ impl<R: Real> Isotropic<R> {
     /// WGSL: `lobe_isotropic_new`.
     #[inline]
     pub fn new(alpha: R) -> Result<Self, Error> {
-        if alpha.is_magnitude() { Ok(Self { alpha }) } else { Err(Error::Alpha) }
+        if alpha.is_magnitude() { Ok(Self { alpha }) } else { Err(Error::Alpha(alpha.into())) }
     }
 }
 
@@ -161,10 +161,10 @@ impl<R: Real> AxisAligned<R> {
     #[inline]
     pub fn new(alpha_x: R, alpha_y: R) -> Result<Self, Error> {
         if !alpha_x.is_magnitude() {
-            return Err(Error::AlphaX);
+            return Err(Error::AlphaX(alpha_x.into()));
         }
         if !alpha_y.is_magnitude() {
-            return Err(Error::AlphaY);
+            return Err(Error::AlphaY(alpha_y.into()));
         }
         let inverse = [alpha_x, alpha_y].map(|alpha| R::ONE / alpha.max(R::MIN_POSITIVE));
         Ok(Self { alphas: [alpha_x, alpha_y], inverse })

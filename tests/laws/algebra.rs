@@ -125,8 +125,8 @@ fn ends_of_the_ranges_stay_finite() {
         assert!(SlopeMoments::new(moments.mean(), covariance).is_ok(), "{moments:?}");
         assert!(moments.covariance().root_det().is_finite(), "{moments:?}");
     }
-    assert_eq!(patch.rotated(f32::INFINITY).map(|_| ()), Err(Error::Angle));
-    assert_eq!(patch.tilted([f32::NAN, 0.0]).map(|_| ()), Err(Error::Mean));
+    assert!(matches!(patch.rotated(f32::INFINITY).map(|_| ()), Err(Error::Angle(_))));
+    assert!(matches!(patch.tilted([f32::NAN, 0.0]).map(|_| ()), Err(Error::Mean(_))));
 }
 
 #[test]

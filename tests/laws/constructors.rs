@@ -7,11 +7,15 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use lobe::filter::tokuyoshi_deferred_alpha;
 use lobe::{
     Anisotropic, AxisAligned, Error, Footprint, Ggx, Isotropic, Lobe, LobeShape, NonCentered,
-    PixelFilter, Psd, Real, Roughness, SlopeMoments, Vertex,
+    PixelFilter, Psd, Real, Roughness, SlopeMoments, Value, Vertex,
 };
 use nalgebra::Matrix2;
 
 const BAD: [f64; 4] = [-1e-30, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+fn values(numbers: [f64; 3]) -> [Value; 3] {
+    numbers.map(Value::from)
+}
 
 /// Refused with this error, whose message names the parameter.
 #[track_caller]
@@ -25,71 +29,123 @@ fn refused<T: core::fmt::Debug>(result: Result<T, Error>, error: Error, names: &
 fn every_error_is_reached_and_names_its_parameter() {
     let psd = Psd::zero();
     for bad in BAD {
-        refused(Roughness::from_alpha(bad), Error::Alpha, "alpha");
-        refused(Isotropic::new(bad), Error::Alpha, "alpha");
-        refused(Roughness::from_alphas(bad, 0.1, 0.0), Error::AlphaX, "alpha_x");
-        refused(Roughness::from_alphas(0.1, bad, 0.0), Error::AlphaY, "alpha_y");
-        refused(AxisAligned::new(bad, 0.1), Error::AlphaX, "alpha_x");
-        refused(AxisAligned::new(0.1, bad), Error::AlphaY, "alpha_y");
-        refused(Roughness::from_perceptual(bad), Error::Perceptual, "perceptual");
-        refused(Roughness::from_sigma_rho(bad, 0.1, 0.0), Error::SigmaX, "sigma_x");
-        refused(Roughness::from_sigma_rho(0.1, bad, 0.0), Error::SigmaY, "sigma_y");
-        refused(PixelFilter::with_variance(bad), Error::Variance, "variance");
+        refused(Roughness::from_alpha(bad), Error::Alpha(bad.into()), "alpha");
+        refused(Isotropic::new(bad), Error::Alpha(bad.into()), "alpha");
+        refused(Roughness::from_alphas(bad, 0.1, 0.0), Error::AlphaX(bad.into()), "alpha_x");
+        refused(Roughness::from_alphas(0.1, bad, 0.0), Error::AlphaY(bad.into()), "alpha_y");
+        refused(AxisAligned::new(bad, 0.1), Error::AlphaX(bad.into()), "alpha_x");
+        refused(AxisAligned::new(0.1, bad), Error::AlphaY(bad.into()), "alpha_y");
+        refused(Roughness::from_perceptual(bad), Error::Perceptual(bad.into()), "perceptual");
+        refused(Roughness::from_sigma_rho(bad, 0.1, 0.0), Error::SigmaX(bad.into()), "sigma_x");
+        refused(Roughness::from_sigma_rho(0.1, bad, 0.0), Error::SigmaY(bad.into()), "sigma_y");
+        refused(PixelFilter::with_variance(bad), Error::Variance(bad.into()), "variance");
         let n = [0.0; 3];
         let deferred =
             |alpha, limit| tokuyoshi_deferred_alpha(alpha, n, n, PixelFilter::KAPLANYAN, limit);
-        refused(deferred(bad, 0.18), Error::Alpha, "alpha");
+        refused(deferred(bad, 0.18), Error::Alpha(bad.into()), "alpha");
         let one = SlopeMoments::of_slope([0.0; 2]).expect("a slope");
-        refused(one.merged(bad, &one, 1.0), Error::Weight, "weight");
-        refused(one.merged(1.0, &one, bad), Error::Weight, "weight");
+        refused(one.merged(bad, &one, 1.0), Error::Weight(bad.into()), "weight");
+        refused(one.merged(1.0, &one, bad), Error::Weight(bad.into()), "weight");
     }
     for bad in [f64::NAN, -1.0, f64::NEG_INFINITY] {
         let n = [0.0; 3];
         let deferred = tokuyoshi_deferred_alpha(0.1, n, n, PixelFilter::KAPLANYAN, bad);
-        refused(deferred, Error::Limit, "limit");
+        refused(deferred, Error::Limit(bad.into()), "limit");
     }
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        refused(Roughness::from_alphas(0.1, 0.1, bad), Error::Angle, "angle");
+        refused(Roughness::from_alphas(0.1, 0.1, bad), Error::Angle(bad.into()), "angle");
         for k in 0..3 {
             let mut entries = [1.0; 3];
             entries[k] = bad;
             let [xx, xy, yy] = entries;
-            refused(Psd::new(xx, xy, yy), Error::MatrixEntry, "matrix");
-            refused(SlopeMoments::from_raw([0.0; 2], entries), Error::MatrixEntry, "matrix");
+            refused(Psd::new(xx, xy, yy), Error::MatrixEntry(bad.into()), "matrix");
+            refused(
+                SlopeMoments::from_raw([0.0; 2], entries),
+                Error::MatrixEntry(bad.into()),
+                "matrix",
+            );
         }
         for mean in [[bad, 0.0], [0.0, bad]] {
-            refused(Lobe::new(mean, Roughness::default()), Error::Mean, "mean");
-            refused(SlopeMoments::new(mean, psd), Error::Mean, "mean");
-            refused(SlopeMoments::from_raw(mean, [0.0; 3]), Error::Mean, "mean");
+            refused(Lobe::new(mean, Roughness::default()), Error::Mean(bad.into()), "mean");
+            refused(SlopeMoments::new(mean, psd), Error::Mean(bad.into()), "mean");
+            refused(SlopeMoments::from_raw(mean, [0.0; 3]), Error::Mean(bad.into()), "mean");
             let shape = Isotropic::new(0.1).expect("alpha > 0");
-            refused(NonCentered::new(shape, mean), Error::Mean, "mean");
+            refused(NonCentered::new(shape, mean), Error::Mean(bad.into()), "mean");
         }
-        refused(Vertex::at([0.0, bad, 1.0]), Error::Direction, "direction");
-        refused(Vertex::distant([0.0, 0.0, bad]), Error::Direction, "direction");
+        refused(
+            Vertex::at([0.0, bad, 1.0]),
+            Error::Direction(values([0.0, bad, 1.0])),
+            "direction",
+        );
+        refused(
+            Vertex::distant([0.0, 0.0, bad]),
+            Error::Direction(values([0.0, 0.0, bad])),
+            "direction",
+        );
         let up = [0.0, 0.0, 1.0];
         for k in 0..3 {
             let mut three = [up; 3];
             three[k] = [bad, 0.0, 1.0];
             let [here, right, above] = three;
             let got = Footprint::from_half_vectors(here, right, above);
-            refused(got, Error::HalfVector, "half vector");
+            refused(got, Error::HalfVector(values([bad, 0.0, 1.0])), "half vector");
         }
     }
-    refused(Roughness::from_perceptual(1.0_f64.next_up()), Error::Perceptual, "perceptual");
+    let bad = 1.0_f64.next_up();
+    refused(Roughness::from_perceptual(bad), Error::Perceptual(bad.into()), "perceptual");
     for bad in [f64::NAN, 1.0_f64.next_up(), -1.0_f64.next_up()] {
-        refused(Roughness::from_sigma_rho(0.1, 0.1, bad), Error::Rho, "rho");
+        refused(Roughness::from_sigma_rho(0.1, 0.1, bad), Error::Rho(bad.into()), "rho");
     }
     for [xx, xy, yy] in [[-1.0, 0.0, 1.0], [1.0, 0.0, -1.0], [1.0, 1.1, 1.0], [0.0, 0.1, 1.0]] {
-        refused(Psd::new(xx, xy, yy), Error::MatrixNotPositive, "matrix");
+        refused(Psd::new(xx, xy, yy), Error::MatrixNotPositive(values([xx, xy, yy])), "matrix");
     }
-    refused(Vertex::at([0.0; 3]), Error::Direction, "direction");
+    refused(Vertex::at([0.0; 3]), Error::Direction(values([0.0; 3])), "direction");
     let one = SlopeMoments::of_slope([0.0; 2]).expect("a slope");
-    refused(one.merged(0.0, &one, 0.0), Error::Weight, "weight");
+    refused(one.merged(0.0, &one, 0.0), Error::Weights, "weight");
     let up = [0.0, 0.0, 1.0];
     for below in [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0]] {
-        refused(Footprint::from_half_vectors(below, up, up), Error::HalfVector, "half vector");
-        refused(Footprint::from_half_vectors(up, below, up), Error::HalfVector, "half vector");
-        refused(Footprint::from_half_vectors(up, up, below), Error::HalfVector, "half vector");
+        refused(
+            Footprint::from_half_vectors(below, up, up),
+            Error::HalfVector(values(below)),
+            "half vector",
+        );
+        refused(
+            Footprint::from_half_vectors(up, below, up),
+            Error::HalfVector(values(below)),
+            "half vector",
+        );
+        refused(
+            Footprint::from_half_vectors(up, up, below),
+            Error::HalfVector(values(below)),
+            "half vector",
+        );
+    }
+}
+
+/// Messages are one line: the parameter, the value in its shortest form, and the range.
+#[test]
+fn messages_show_the_value_and_the_range() {
+    let cases: [(Error, &str); 8] = [
+        (Roughness::from_alpha(-1.0_f32).unwrap_err(), "alpha = -1 is not in [0, 1e9]"),
+        (Roughness::from_alpha(-0.1_f32).unwrap_err(), "alpha = -0.1 is not in [0, 1e9]"),
+        (Roughness::from_alpha(0.1_f64 - 1.0).unwrap_err(), "alpha = -0.9 is not in [0, 1e9]"),
+        (Isotropic::new(3e38_f32).unwrap_err(), "alpha = 3e38 is not in [0, 1e9]"),
+        (Isotropic::new(-1e-300).unwrap_err(), "alpha = -1e-300 is not in [0, 1e9]"),
+        (
+            Roughness::from_perceptual(f32::NAN).unwrap_err(),
+            "perceptual roughness = NaN is not in [0, 1]",
+        ),
+        (
+            Psd::new(1.0, 2.0, 1.0_f32).unwrap_err(),
+            "matrix [[1, 2], [2, 1]] is not positive semi-definite",
+        ),
+        (
+            Vertex::at([0.0_f32, f32::INFINITY, 1.0]).unwrap_err(),
+            "direction or position (0, inf, 1) is not finite, or has no length",
+        ),
+    ];
+    for (error, message) in cases {
+        assert_eq!(error.to_string(), message);
     }
 }
 
@@ -113,22 +169,22 @@ fn magnitudes_end_at_a_billion() {
             let all = [ggx.brdf(up, up), ggx.d(up), ggx.projected_area(down), ggx.slope_pdf(slope)];
             assert!(all.iter().all(|x| *x >= R::ZERO && x.is_finite()), "{all:?}");
         }
-        assert_eq!(Roughness::from_alpha(beyond).err(), Some(Error::Alpha));
-        assert_eq!(Isotropic::new(beyond).err(), Some(Error::Alpha));
-        assert_eq!(AxisAligned::new(beyond, R::ONE).err(), Some(Error::AlphaX));
-        assert_eq!(AxisAligned::new(R::ONE, beyond).err(), Some(Error::AlphaY));
-        assert_eq!(Roughness::from_sigma_rho(beyond, R::ONE, rho).err(), Some(Error::SigmaX));
-        assert_eq!(Roughness::from_sigma_rho(R::ONE, beyond, rho).err(), Some(Error::SigmaY));
-        assert_eq!(Lobe::new([beyond, R::ZERO], roughness).err(), Some(Error::Mean));
-        assert_eq!(SlopeMoments::of_slope([R::ZERO, -beyond]).err(), Some(Error::Mean));
+        assert!(matches!(Roughness::from_alpha(beyond), Err(Error::Alpha(_))));
+        assert!(matches!(Isotropic::new(beyond), Err(Error::Alpha(_))));
+        assert!(matches!(AxisAligned::new(beyond, R::ONE), Err(Error::AlphaX(_))));
+        assert!(matches!(AxisAligned::new(R::ONE, beyond), Err(Error::AlphaY(_))));
+        assert!(matches!(Roughness::from_sigma_rho(beyond, R::ONE, rho), Err(Error::SigmaX(_))));
+        assert!(matches!(Roughness::from_sigma_rho(R::ONE, beyond, rho), Err(Error::SigmaY(_))));
+        assert!(matches!(Lobe::new([beyond, R::ZERO], roughness), Err(Error::Mean(_))));
+        assert!(matches!(SlopeMoments::of_slope([R::ZERO, -beyond]), Err(Error::Mean(_))));
         let entry = beyond * beyond;
-        assert_eq!(Psd::new(entry, R::ZERO, entry).err(), Some(Error::MatrixEntry));
+        assert!(matches!(Psd::new(entry, R::ZERO, entry), Err(Error::MatrixEntry(_))));
         let raw = SlopeMoments::from_raw([R::ZERO; 2], [entry, R::ZERO, entry]);
-        assert_eq!(raw.err(), Some(Error::MatrixEntry));
+        assert!(matches!(raw, Err(Error::MatrixEntry(_))));
     }
     ends::<f32>();
     ends::<f64>();
-    assert_eq!(PixelFilter::with_variance(2e9), Err(Error::Variance));
+    assert!(matches!(PixelFilter::with_variance(2e9), Err(Error::Variance(_))));
 }
 
 #[test]

@@ -155,19 +155,22 @@ fn numbers_out_of_range_are_refused_and_derivatives_without_a_number_add_nothing
     let (d, nan) = ([0.1, 0.0, 0.0], [f64::NAN; 3]);
     let footprint = Footprint::rectangle([0.1, 0.1]);
     for alpha in [-1.0, f64::NAN, f64::INFINITY] {
-        assert_eq!(tokuyoshi_deferred_alpha(alpha, d, d, FILTER, 0.18), Err(Error::Alpha));
-        assert_eq!(largest_deferred_alpha(alpha, d, d, FILTER, 0.18), Err(Error::Alpha));
-        assert_eq!(Engine::Godot.alpha(alpha, d, d), Err(Error::Alpha));
+        assert!(matches!(
+            tokuyoshi_deferred_alpha(alpha, d, d, FILTER, 0.18),
+            Err(Error::Alpha(_))
+        ));
+        assert!(matches!(largest_deferred_alpha(alpha, d, d, FILTER, 0.18), Err(Error::Alpha(_))));
+        assert!(matches!(Engine::Godot.alpha(alpha, d, d), Err(Error::Alpha(_))));
         let second = kaplanyan_deferred_alphas([0.1, alpha], &footprint, FILTER, 0.18);
-        assert_eq!(second, Err(Error::AlphaY));
+        assert!(matches!(second, Err(Error::AlphaY(_))));
         let first = kaplanyan_deferred_alphas([alpha, 0.1], &footprint, FILTER, 0.18);
-        assert_eq!(first, Err(Error::AlphaX));
+        assert!(matches!(first, Err(Error::AlphaX(_))));
     }
     for limit in [-1.0, f64::NAN] {
         let kaplanyan = kaplanyan_deferred_alpha(0.1, &footprint, FILTER, limit);
-        assert_eq!(kaplanyan, Err(Error::Limit));
+        assert!(matches!(kaplanyan, Err(Error::Limit(_))));
         let newer = tokuyoshi_kaplanyan_deferred_alpha(0.1, d, d, FILTER, limit);
-        assert_eq!(newer, Err(Error::Limit));
+        assert!(matches!(newer, Err(Error::Limit(_))));
     }
     assert_eq!(tokuyoshi_deferred_alpha(0.1, nan, d, FILTER, 0.18), Ok(0.1));
     let huge = [1e200, 0.0, 0.0];

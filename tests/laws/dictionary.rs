@@ -3,7 +3,6 @@
 #![cfg(feature = "glint")]
 
 use crate::common::marginals::{all, integral, small};
-use lobe::Error;
 use lobe::material::multilobe::{Dictionary, LobeMeans, Recipe};
 
 /// Law C1: every density integrates to 1, is even and not negative; in f32 to 1e-6.
@@ -166,16 +165,17 @@ fn recipes_out_of_range_are_refused() {
     let good = Recipe { marginals: 2, levels: 2, ..Recipe::default() };
     assert!(Dictionary::<f32>::new(&good).is_ok());
     for bad in [
-        Recipe { marginals: 0, ..good },
-        Recipe { marginals: 65_537, ..good },
-        Recipe { levels: 0, ..good },
-        Recipe { levels: 21, ..good },
-        Recipe { intervals: 4, ..good },
-        Recipe { intervals: 65, ..good },
-        Recipe { width: f64::NAN, ..good },
-        Recipe { width: 0.03, ..good },
-        Recipe { width: 0.6, ..good },
+        (Recipe { marginals: 0, ..good }, "marginals = 0 is not in [1, 65536]"),
+        (Recipe { marginals: 65_537, ..good }, "marginals = 65537 is not in [1, 65536]"),
+        (Recipe { levels: 0, ..good }, "levels = 0 is not in [1, 20]"),
+        (Recipe { levels: 21, ..good }, "levels = 21 is not in [1, 20]"),
+        (Recipe { intervals: 4, ..good }, "intervals = 4 is not a power of two in [8, 4096]"),
+        (Recipe { intervals: 65, ..good }, "intervals = 65 is not a power of two in [8, 4096]"),
+        (Recipe { width: f64::NAN, ..good }, "width = NaN is not in [2/64, 0.5]"),
+        (Recipe { width: 0.03, ..good }, "width = 0.03 is not in [2/64, 0.5]"),
+        (Recipe { width: 0.6, ..good }, "width = 0.6 is not in [2/64, 0.5]"),
     ] {
-        assert_eq!(Dictionary::<f32>::new(&bad), Err(Error::Recipe), "{bad:?}");
+        let error = Dictionary::<f32>::new(&bad.0).expect_err("out of range");
+        assert_eq!(error.to_string(), bad.1, "{bad:?}");
     }
 }

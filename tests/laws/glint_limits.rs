@@ -247,19 +247,19 @@ fn any_input_gives_a_number() {
 #[test]
 fn constructors_refuse_what_has_no_meaning() {
     for bad in [0.0, -0.1, 1.1, f64::NAN] {
-        assert_eq!(Biscale::from_fractions([0.5, 0.5], [bad, 0.5]), Err(Error::Fraction));
+        assert!(matches!(Biscale::from_fractions([0.5, 0.5], [bad, 0.5]), Err(Error::Fraction(_))));
     }
-    assert_eq!(Biscale::from_fractions([-0.5, 0.5], [0.5, 0.5]), Err(Error::AlphaX));
-    assert_eq!(Biscale::from_fractions([0.5, f64::NAN], [0.5, 0.5]), Err(Error::AlphaY));
+    assert!(matches!(Biscale::from_fractions([-0.5, 0.5], [0.5, 0.5]), Err(Error::AlphaX(_))));
+    assert!(matches!(Biscale::from_fractions([0.5, f64::NAN], [0.5, 0.5]), Err(Error::AlphaY(_))));
     let biscale = Biscale::from_fractions([0.5, 0.5], [0.1, 0.1]).expect("in range");
     for bad in [0.0, -1.0, 1e19, f64::NAN, f64::INFINITY] {
-        assert_eq!(Glints::new(biscale, bad), Err(Error::Density));
+        assert!(matches!(Glints::new(biscale, bad), Err(Error::Density(_))));
     }
     let glints = Glints::new(biscale, 1.0).expect("in range");
     for bad in [-0.1, 4.1, f64::NAN] {
-        assert_eq!(glints.with_variation(bad), Err(Error::Variation));
+        assert!(matches!(glints.with_variation(bad), Err(Error::Variation(_))));
     }
     for bad in [-0.1, 1.1, f64::NAN] {
-        assert_eq!(glints.with_share(bad), Err(Error::Share));
+        assert!(matches!(glints.with_share(bad), Err(Error::Share(_))));
     }
 }

@@ -348,11 +348,11 @@ fn maps_refuse_what_is_none() {
     let chain = |size, count| {
         MomentMap::from_slopes(size, vec![[0.0_f32; 2]; count], Border::Wrap).map(|_| ())
     };
-    assert_eq!(chain([0, 0], 0), Err(Error::MapSize));
-    assert_eq!(chain([2, 2], 3), Err(Error::MapSize));
-    assert_eq!(chain([usize::MAX, 2], 3), Err(Error::MapSize));
+    assert!(matches!(chain([0, 0], 0), Err(Error::MapSize { .. })));
+    assert!(matches!(chain([2, 2], 3), Err(Error::MapSize { .. })));
+    assert!(matches!(chain([usize::MAX, 2], 3), Err(Error::MapSize { .. })));
     let steep = MomentMap::from_slopes([1, 1], vec![[f32::NAN, 0.0]], Border::Wrap);
-    assert_eq!(steep.map(|_| ()), Err(Error::Mean));
+    assert!(matches!(steep.map(|_| ()), Err(Error::Mean(_))));
     let one = MomentMap::from_slopes([1, 1], vec![[1.0_f32, 2.0]], Border::Clamp).expect("a map");
     assert_eq!((one.levels(), one.size(9)), (1, [1, 1]));
     for uv in [[f32::NAN, 0.0], [f32::INFINITY, -1e30], [-7.3, 1e20]] {

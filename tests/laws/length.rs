@@ -149,18 +149,18 @@ fn texels_longer_than_one_have_no_variance() {
     assert_eq!(vmf_sharpness(length), vmf_sharpness(1.0));
     let most = 1.0 + MEAN_LENGTH_TOLERANCE;
     assert_eq!(toksvig_variance(most), Ok(0.0));
-    assert_eq!(toksvig_variance(most.next_up().next_up()), Err(Error::MeanLength));
+    assert!(matches!(toksvig_variance(most.next_up().next_up()), Err(Error::MeanLength(_))));
 }
 
 #[test]
 fn lengths_outside_their_range_are_refused() {
     for bad in [0.0, -0.5, 1.01, 1.0069, f32::NAN, f32::INFINITY] {
-        assert_eq!(toksvig_variance(bad), Err(Error::MeanLength));
-        assert_eq!(vmf_sharpness(bad), Err(Error::MeanLength));
-        assert_eq!(VmfWidening::SPECULAR_AA.alpha(0.1, bad), Err(Error::MeanLength));
+        assert!(matches!(toksvig_variance(bad), Err(Error::MeanLength(_))));
+        assert!(matches!(vmf_sharpness(bad), Err(Error::MeanLength(_))));
+        assert!(matches!(VmfWidening::SPECULAR_AA.alpha(0.1, bad), Err(Error::MeanLength(_))));
     }
-    assert_eq!(toksvig_exponent(-1.0, 0.5), Err(Error::Exponent));
-    assert_eq!(VmfWidening::THE_ORDER.alpha(-1.0, 0.5), Err(Error::Alpha));
-    assert_eq!(clean_variance([f32::NAN, 0.0], 0.5), Err(Error::Mean));
-    assert_eq!(clean_variance([0.0, 0.0], f32::INFINITY), Err(Error::MatrixEntry));
+    assert!(matches!(toksvig_exponent(-1.0, 0.5), Err(Error::Exponent(_))));
+    assert!(matches!(VmfWidening::THE_ORDER.alpha(-1.0, 0.5), Err(Error::Alpha(_))));
+    assert!(matches!(clean_variance([f32::NAN, 0.0], 0.5), Err(Error::Mean(_))));
+    assert!(matches!(clean_variance([0.0, 0.0], f32::INFINITY), Err(Error::MatrixEntry(_))));
 }

@@ -178,7 +178,7 @@ fn every_light_gives_a_lobe() {
 fn lights_out_of_range_are_refused() {
     let up = [0.0_f64, 0.0, 1.0];
     for bad in [[0.0_f64; 3], [f64::NAN, 0.0, 1.0], [f64::INFINITY, 0.0, 1.0]] {
-        assert_eq!(SphericalGaussian::new(bad, 1.0), Err(Error::Direction));
+        assert!(matches!(SphericalGaussian::new(bad, 1.0), Err(Error::Direction(_))));
     }
     // The least sharpness that f32 has is a wide light like its neighbors.
     let wide = |sharpness: f32| {
@@ -187,10 +187,13 @@ fn lights_out_of_range_are_refused() {
     };
     assert!((wide(1e-9) / wide(1.0001e-9) - 1.0).abs() < 1e-3);
     for sharpness in [0.0, -1.0, 1e19, f64::NAN, f64::INFINITY] {
-        assert_eq!(SphericalGaussian::new(up, sharpness), Err(Error::Sharpness));
+        assert!(matches!(SphericalGaussian::new(up, sharpness), Err(Error::Sharpness(_))));
     }
     for radius in [0.0, -0.1, f64::NAN, f64::INFINITY] {
-        assert_eq!(SphericalGaussian::from_angular_radius(up, radius), Err(Error::Radius));
+        assert!(matches!(
+            SphericalGaussian::from_angular_radius(up, radius),
+            Err(Error::Radius(_))
+        ));
     }
     // Light from straight ahead of the viewer, from below: no half vector, no kernel.
     let below = SphericalGaussian::new([0.0_f64, 0.0, -1.0], 10.0).unwrap();

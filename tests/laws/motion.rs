@@ -255,11 +255,11 @@ fn refuses<R: Real>() {
     let still = Motion::<R>::default();
     let number = R::lit;
     let refused = |g: [f64; 3], u: &Motion<R>, v: &Motion<R>| {
-        assert_eq!(
-            Footprint::from_motion(g.map(number), u, v),
-            Err(Error::HalfVector),
-            "{g:?} {u:?} {v:?}"
-        );
+        let got = Footprint::from_motion(g.map(number), u, v);
+        let above = g[2] > 0.0 && g.iter().all(|x| x.is_finite());
+        let by_derivative = matches!(got, Err(Error::Derivative(_)));
+        let by_half_vector = matches!(got, Err(Error::HalfVector(_)));
+        assert!(if above { by_derivative } else { by_half_vector }, "{got:?}: {g:?} {u:?} {v:?}");
     };
     for g in [
         [0.0, 0.0, 0.0],
@@ -294,9 +294,9 @@ fn half_vectors_below_the_horizon_are_refused() {
     let below = Vertex::distant([1.0_f64, 0.0, -0.2]).expect("a direction");
     let path = Path { eye: below, light: below, curvature: [1.0, 0.0, 1.0] };
     let motion = path.motion([1.0, 0.0]);
-    assert_eq!(
+    assert!(matches!(
         Footprint::from_motion(path.half_vector(), &motion, &motion),
-        Err(Error::HalfVector)
-    );
+        Err(Error::HalfVector(_))
+    ));
     assert_eq!((path.slope_jacobian(), path.plane_point()), ([[0.0; 2]; 2], [0.0; 2]));
 }

@@ -151,14 +151,14 @@ fn any_input_gives_a_number_in_double_precision() {
 fn surfaces_out_of_range_are_refused() {
     let roughness = roughness();
     for density in [0.0, -1.0, 9e-19, 1.1e30, f64::INFINITY, f64::NAN] {
-        assert_eq!(MultiLobe::new(roughness, density), Err(Error::Facets), "{density}");
+        assert!(matches!(MultiLobe::new(roughness, density), Err(Error::Facets(_))), "{density}");
     }
     let good = MultiLobe::new(roughness, 1.0).expect("in range");
     for variation in [-1e-9, 4.1, f64::NAN] {
-        assert_eq!(good.with_variation(variation), Err(Error::Variation), "{variation}");
+        assert!(matches!(good.with_variation(variation), Err(Error::Variation(_))), "{variation}");
     }
     for share in [-1e-9, 1.0 + 1e-9, f64::NAN] {
-        assert_eq!(good.with_share(share), Err(Error::Share), "{share}");
+        assert!(matches!(good.with_share(share), Err(Error::Share(_))), "{share}");
     }
 }
 

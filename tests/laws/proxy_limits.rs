@@ -111,10 +111,10 @@ fn proxies_are_total() {
     check(20_000, total::<f64>);
     check(20_000, total::<f32>);
     for bad in [-1.0, 1.1e9, f64::NAN, f64::INFINITY] {
-        assert_eq!(box_peak_alpha(bad, 0.1), Err(Error::Alpha));
-        assert_eq!(box_peak_alpha(0.1, bad), Err(Error::Width));
-        assert_eq!(gaussian_peak_alpha(bad, 0.1), Err(Error::Alpha));
-        assert_eq!(gaussian_peak_alpha(0.1, bad), Err(Error::Sigma));
+        assert!(matches!(box_peak_alpha(bad, 0.1), Err(Error::Alpha(_))));
+        assert!(matches!(box_peak_alpha(0.1, bad), Err(Error::Width(_))));
+        assert!(matches!(gaussian_peak_alpha(bad, 0.1), Err(Error::Alpha(_))));
+        assert!(matches!(gaussian_peak_alpha(0.1, bad), Err(Error::Sigma(_))));
     }
 }
 

@@ -78,13 +78,14 @@ fn schlick_runs_from_its_normal_reflectance_to_one() {
 #[test]
 fn bad_reflectances_and_indices_are_refused() {
     for bad in [f64::NAN, -0.1, 1.1, f64::INFINITY] {
-        assert_eq!(Fresnel::schlick([0.5, bad, 0.5]), Err(Error::Reflectance));
+        assert!(matches!(Fresnel::schlick([0.5, bad, 0.5]), Err(Error::Reflectance(_))));
     }
     for bad in [f64::NAN, -0.1, f64::INFINITY, 2e9] {
-        assert_eq!(Fresnel::conductor([1.5, 1.5, bad], [0.0; 3]), Err(Error::Index));
-        assert_eq!(Fresnel::conductor([1.5; 3], [bad, 0.0, 0.0]), Err(Error::Index));
+        assert!(matches!(Fresnel::conductor([1.5, 1.5, bad], [0.0; 3]), Err(Error::Eta(_))));
+        assert!(matches!(Fresnel::conductor([1.5; 3], [bad, 0.0, 0.0]), Err(Error::K(_))));
     }
-    assert_eq!(Fresnel::conductor([0.0_f32; 3], [1.0; 3]), Err(Error::Index));
+    let none = Fresnel::conductor([0.0_f32; 3], [1.0; 3]);
+    assert_eq!(none, Err(Error::Eta(0.0.into())));
 }
 
 /// A baked material is the widened lobe's BRDF times Fresnel and the mean plane's cosine.
@@ -163,11 +164,11 @@ fn slices_are_evaluated_one_by_one_or_not_at_all() {
         assert_eq!(out[n], baked[n].evaluate(wo[n], wi[n]));
     }
     let before = (baked.clone(), out.clone());
-    assert_eq!(bake_all(&materials[1..], &kernels, &mut baked), Err(Error::Length));
-    assert_eq!(bake_all(&materials, &kernels[1..], &mut baked), Err(Error::Length));
-    assert_eq!(evaluate_all(&baked[1..], &wo, &wi, &mut out), Err(Error::Length));
-    assert_eq!(evaluate_all(&baked, &wo[1..], &wi, &mut out), Err(Error::Length));
-    assert_eq!(evaluate_all(&baked, &wo, &wi[1..], &mut out), Err(Error::Length));
+    assert!(matches!(bake_all(&materials[1..], &kernels, &mut baked), Err(Error::Length { .. })));
+    assert!(matches!(bake_all(&materials, &kernels[1..], &mut baked), Err(Error::Length { .. })));
+    assert!(matches!(evaluate_all(&baked[1..], &wo, &wi, &mut out), Err(Error::Length { .. })));
+    assert!(matches!(evaluate_all(&baked, &wo[1..], &wi, &mut out), Err(Error::Length { .. })));
+    assert!(matches!(evaluate_all(&baked, &wo, &wi[1..], &mut out), Err(Error::Length { .. })));
     assert_eq!((baked, out), before);
 }
 

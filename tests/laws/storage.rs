@@ -74,10 +74,11 @@ fn a_cap_shortens_and_keeps_the_direction() {
     }
     assert_eq!(cap.slope([-f32::MAX, f32::MAX, 0.0]).0, [50.0_f32.sqrt(), -(50.0_f32.sqrt())]);
     for bad in [0.0, -1.0, 2e9, f32::NAN] {
-        assert_eq!(SlopeCap::new(bad), Err(Error::Cap));
+        assert!(matches!(SlopeCap::new(bad), Err(Error::Cap(_))));
     }
     let mut short = [[0.0_f32; 2]; 1];
-    assert_eq!(cap.slopes(&[[0_u8; 3]; 2], &mut short), Err(Error::Length));
+    let differ = cap.slopes(&[[0_u8; 3]; 2], &mut short);
+    assert!(matches!(differ, Err(Error::Length { .. })));
 }
 
 #[test]
@@ -113,9 +114,9 @@ fn heights_have_the_slopes_of_what_they_displace() {
     }
     let bad =
         |size, texel, scale| HeightField::new(size, &ramp, texel, scale, Border::Wrap).map(|_| ());
-    assert_eq!(bad([2, 1], [1.0; 2], 1.0), Err(Error::MapSize));
-    assert_eq!(bad([3, 1], [0.0, 1.0], 1.0), Err(Error::Texel));
-    assert_eq!(bad([3, 1], [1.0; 2], f32::NAN), Err(Error::Displacement));
+    assert_eq!(bad([2, 1], [1.0; 2], 1.0), Err(Error::MapSize { size: [2, 1], texels: 3 }));
+    assert!(matches!(bad([3, 1], [0.0, 1.0], 1.0), Err(Error::Texel(_))));
+    assert_eq!(bad([3, 1], [1.0; 2], f32::NAN), Err(Error::Displacement(f32::NAN.into())));
 }
 
 /// Moments within a range, some at its ends, some of one slope.
@@ -224,12 +225,12 @@ fn flat_maps_are_stored_flat_and_ends_saturate() {
     let steep = SlopeMoments::of_slope([100.0_f32, -100.0]).expect("a slope");
     let kept = unorm.decode(unorm.encode(&steep)).expect("moments");
     assert!((kept.mean()[0] - 8.0).abs() < 1e-4 && (kept.mean()[1] + 8.0).abs() < 1e-4);
-    assert_eq!(Float32::new(0.0).map(|_| ()), Err(Error::Range));
-    assert_eq!(Float16::new(256.0).map(|_| ()), Err(Error::Range));
-    assert_eq!(Unorm16::new(f32::NAN).map(|_| ()), Err(Error::Range));
+    assert!(matches!(Float32::new(0.0).map(|_| ()), Err(Error::Range(_))));
+    assert!(matches!(Float16::new(256.0).map(|_| ()), Err(Error::HalfRange(_))));
+    assert!(matches!(Unorm16::new(f32::NAN).map(|_| ()), Err(Error::Range(_))));
     let full = Float32::new(1.0).expect("a range");
-    assert_eq!(full.decode([f32::NAN, 0.0, 0.0, 0.0, 0.0]), Err(Error::Mean));
-    assert_eq!(full.decode([0.0, 0.0, f32::INFINITY, 0.0, 0.0]), Err(Error::MatrixEntry));
+    assert!(matches!(full.decode([f32::NAN, 0.0, 0.0, 0.0, 0.0]), Err(Error::Mean(_))));
+    assert!(matches!(full.decode([0.0, 0.0, f32::INFINITY, 0.0, 0.0]), Err(Error::MatrixEntry(_))));
 }
 
 #[test]

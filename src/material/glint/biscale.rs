@@ -52,8 +52,8 @@ impl<R: Real> Biscale<R> {
         fractions: impl Into<[R; 2]>,
     ) -> Result<Self, Error> {
         let ([a, b], [f, g]) = (alphas.into(), fractions.into());
-        if ![f, g].iter().all(|&x| x > R::ZERO && x <= R::ONE) {
-            return Err(Error::Fraction);
+        if let Some(&x) = [f, g].iter().find(|&&x| !(x > R::ZERO && x <= R::ONE)) {
+            return Err(Error::Fraction(x.into()));
         }
         // (1 - f)(1 + f) keeps the digits of 1 - f^2.
         let rest = |f: R| ((R::ONE - f) * (R::ONE + f)).sqrt();

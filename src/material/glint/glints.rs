@@ -64,7 +64,7 @@ impl<R: Real> Glints<R> {
     pub fn new(biscale: Biscale<R>, density: R) -> Result<Self, Error> {
         let most = R::LARGEST * R::LARGEST;
         if !(density >= R::ONE / most && density <= most) {
-            return Err(Error::Density);
+            return Err(Error::Density(density.into()));
         }
         let [xx, _, yy] = biscale.spread().matrix().entries();
         let ratio = |a: R, b: R| if a < b { (a / b).sqrt() } else { R::ONE };
@@ -92,7 +92,7 @@ impl<R: Real> Glints<R> {
     /// WGSL: none, a field there.
     pub fn with_variation(self, variation: R) -> Result<Self, Error> {
         if !(variation >= R::ZERO && variation <= R::lit(4.0)) {
-            return Err(Error::Variation);
+            return Err(Error::Variation(variation.into()));
         }
         Ok(Self { variation, ..self })
     }
@@ -114,7 +114,7 @@ impl<R: Real> Glints<R> {
     /// WGSL: none, a field there.
     pub fn with_share(self, share: R) -> Result<Self, Error> {
         if !(share >= R::ZERO && share <= R::ONE) {
-            return Err(Error::Share);
+            return Err(Error::Share(share.into()));
         }
         Ok(Self { share, ..self })
     }

@@ -73,7 +73,7 @@ impl<R: Real> ZirrKaplanyan<R> {
     pub fn new(biscale: Biscale<R>, density: R) -> Result<Self, Error> {
         let most = R::LARGEST * R::LARGEST;
         if !(density >= R::ONE / most && density <= most) {
-            return Err(Error::Density);
+            return Err(Error::Density(density.into()));
         }
         Ok(Self { biscale, density, variation: R::ZERO, dynamic_range: R::lit(5e4) })
     }

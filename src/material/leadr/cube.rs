@@ -53,7 +53,7 @@ impl<R: Real, T: AsRef<[[R; 3]]>> CubeMap<R, T> {
     {
         let all = texels.as_mut();
         if !face.is_power_of_two() || all.len() != Self::texels(face) {
-            return Err(Error::MapSize);
+            return Err(Error::MapSize { size: [face, 6 * face], texels: all.len() });
         }
         let (mut side, mut rest) = (face, all);
         let mut last = 0;

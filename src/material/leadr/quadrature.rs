@@ -36,7 +36,7 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
     /// like $e^{-\mathrm{reach}^2/2}$ with the reach, `spacing` times N/2.
     ///
     /// # Errors
-    /// [`Error::Spacing`] unless it lies in $(0, 10]$, or `N` is 0.
+    /// [`Error::Spacing`] unless it lies in $(0, 10]$; [`Error::NoNode`] if `N` is 0.
     ///
     /// ```
     /// let three = lobe::material::leadr::Quadrature::<f32, 3>::uniform(1.5)?;
@@ -46,8 +46,11 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
     ///
     /// WGSL: none, a grid is an array of constants there.
     pub fn uniform(spacing: R) -> Result<Self, Error> {
-        if N == 0 || !(spacing > R::ZERO && spacing <= R::lit(10.0)) {
-            return Err(Error::Spacing);
+        if N == 0 {
+            return Err(Error::NoNode);
+        }
+        if !(spacing > R::ZERO && spacing <= R::lit(10.0)) {
+            return Err(Error::Spacing(spacing.into()));
         }
         Ok(Self::spaced(spacing.to_f64()))
     }

@@ -50,13 +50,14 @@ impl<'a, R: Real> HeightField<'a, R> {
     ) -> Result<Self, Error> {
         let [width, height] = size;
         if heights.is_empty() || width.checked_mul(height) != Some(heights.len()) {
-            return Err(Error::MapSize);
+            return Err(Error::MapSize { size, texels: heights.len() });
         }
-        if !texel.iter().all(|d| d.is_slope() && d.abs() * R::LARGEST >= R::ONE) {
-            return Err(Error::Texel);
+        let known = |d: &&R| d.is_slope() && d.abs() * R::LARGEST >= R::ONE;
+        if let Some(&d) = texel.iter().find(|d| !known(d)) {
+            return Err(Error::Texel(d.into()));
         }
         if !displacement.is_slope() {
-            return Err(Error::Displacement);
+            return Err(Error::Displacement(displacement.into()));
         }
         Ok(Self { width, height, heights, scale: texel.map(|d| displacement / d), border })
     }
@@ -78,9 +79,10 @@ impl<'a, R: Real> HeightField<'a, R> {
         out: &mut [[R; 2]],
     ) -> Result<ClippedTexels, Error> {
         let rows = out.len() / self.width;
-        let end = first.checked_add(rows).ok_or(Error::Length)?;
+        let end = first.saturating_add(rows);
         if out.len() % self.width != 0 || end > self.height {
-            return Err(Error::Length);
+            let expected = self.width * (self.height - first.min(self.height));
+            return Err(Error::Length { expected, found: out.len() });
         }
         let mut touched = 0;
         for (row, out) in (first..end).zip(out.chunks_exact_mut(self.width)) {

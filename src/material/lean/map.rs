@@ -154,7 +154,7 @@ impl<R: Real> MomentMap<R> {
         deal: impl Fn([usize; 2], &mut [Stored<R>], Rows<'_, R>),
     ) -> Result<Self, Error> {
         if slopes.is_empty() || size[0].checked_mul(size[1]) != Some(slopes.len()) {
-            return Err(Error::MapSize);
+            return Err(Error::MapSize { size, texels: slopes.len() });
         }
         let origin = origin(&slopes)?;
         let mut levels: Vec<Vec<Stored<R>>> = Vec::new();
@@ -288,17 +288,17 @@ impl<R: Real> MomentMap<R> {
 /// around it, else 0, from which slopes are exact.
 fn origin<R: Real>(slopes: &[[R; 2]]) -> Result<[R; 2], Error> {
     let (mut low, mut high) = ([R::MAX; 2], [-R::MAX; 2]);
-    let mut valid = true;
+    let mut bad = None;
     for slope in slopes {
         for axis in 0..2 {
             let x = slope[axis];
-            valid &= x.is_slope();
+            bad = if x.is_slope() { bad } else { Some(x) };
             low[axis] = low[axis].min(x);
             high[axis] = high[axis].max(x);
         }
     }
-    if !valid {
-        return Err(Error::Mean);
+    if let Some(x) = bad {
+        return Err(Error::Mean(x.into()));
     }
     Ok([0, 1].map(|axis: usize| {
         let middle = R::HALF * (low[axis] + high[axis]);

@@ -66,7 +66,7 @@ pub trait Storage {
 /// A range of slopes that is one.
 fn checked(range: f32) -> Result<f32, Error> {
     // Squares of slopes are stored, and covariances beside them.
-    if range > 1e-9 && range <= 1e9 { Ok(range) } else { Err(Error::Range) }
+    if range > 1e-9 && range <= 1e9 { Ok(range) } else { Err(Error::Range(range.into())) }
 }
 
 /// The second moments about a mean as it is stored.
@@ -133,11 +133,15 @@ impl Float16 {
     /// For slopes up to `range`, on which only the floor depends.
     ///
     /// # Errors
-    /// [`Error::Range`] unless it lies in $(10^{-9}, 255]$.
+    /// [`Error::HalfRange`] unless it lies in $(10^{-9}, 255]$.
     ///
     /// WGSL: none, textures are written on the CPU.
     pub fn new(range: f32) -> Result<Self, Error> {
-        if range > 255.0 { Err(Error::Range) } else { Ok(Self { range: checked(range)? }) }
+        if range > 1e-9 && range <= 255.0 {
+            Ok(Self { range })
+        } else {
+            Err(Error::HalfRange(range.into()))
+        }
     }
 }
 

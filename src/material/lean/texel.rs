@@ -3,7 +3,7 @@
 //! Layer 4. A slope explodes as the normal falls to the horizon: in 8 bits the lowest but one has slope 255, and its
 //! square outweighs a thousand others. So there is a cap, the caller names it, and learns what it cost.
 
-use crate::error::Error;
+use crate::error::{Error, same_length};
 use crate::scalar::Real;
 use crate::slope::direction::from_disk;
 use core::ops::Add;
@@ -146,7 +146,7 @@ impl<R: Real> SlopeCap<R> {
         if steepest > R::ZERO && steepest <= R::LARGEST {
             Ok(Self { steepest })
         } else {
-            Err(Error::Cap)
+            Err(Error::Cap(steepest.into()))
         }
     }
 
@@ -235,9 +235,7 @@ impl<R: Real> SlopeCap<R> {
         texels: &[T],
         out: &mut [[R; 2]],
     ) -> Result<ClippedTexels, Error> {
-        if texels.len() != out.len() {
-            return Err(Error::Length);
-        }
+        same_length(texels.len(), out.len())?;
         let mut touched = 0;
         for (slope, &texel) in out.iter_mut().zip(texels) {
             let (limited, clipped) = self.slope(texel);

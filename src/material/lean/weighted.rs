@@ -5,7 +5,7 @@
 use super::level::Stored;
 use super::map::{Border, MomentMap, Rows};
 use super::weight::weighed;
-use crate::error::Error;
+use crate::error::{Error, same_length};
 use crate::scalar::Real;
 use alloc::vec::Vec;
 
@@ -114,14 +114,17 @@ impl<R: Real> MomentMap<R> {
         border: Border,
         deal: impl Fn([usize; 2], &mut [Stored<R>], Rows<'_, R>),
     ) -> Result<Self, Error> {
-        if weights.len() != slopes.len() {
-            return Err(Error::Length);
-        }
-        let valid = weights.iter().all(|weight| *weight >= R::ZERO && weight.is_finite());
+        same_length(slopes.len(), weights.len())?;
+        let bad =
+            weights.iter().find(|weight| !(**weight >= R::ZERO && weight.is_finite())).copied();
         let largest = weights.iter().fold(R::ZERO, |most, weight| weight.max(most));
         let heaviest = weights.iter().position(|weight| *weight == largest);
-        let Some(heaviest) = heaviest.filter(|_| valid && largest > R::ZERO) else {
-            return Err(if slopes.is_empty() { Error::MapSize } else { Error::Weight });
+        let Some(heaviest) = heaviest.filter(|_| bad.is_none() && largest > R::ZERO) else {
+            return Err(match bad {
+                _ if slopes.is_empty() => Error::MapSize { size, texels: 0 },
+                Some(weight) => Error::Weight(weight.into()),
+                None => Error::Weights,
+            });
         };
         let known = slopes[heaviest];
         for (slope, weight) in slopes.iter_mut().zip(&mut weights) {

@@ -33,7 +33,7 @@ impl Dictionary<f32> {
     /// let mut bytes = dictionary.to_bytes();
     /// assert_eq!(Dictionary::from_bytes(&bytes)?, dictionary);
     /// bytes[100] ^= 1;
-    /// assert_eq!(Dictionary::from_bytes(&bytes), Err(Error::DictionaryChecksum));
+    /// assert!(matches!(Dictionary::from_bytes(&bytes), Err(Error::DictionaryChecksum { .. })));
     /// # Ok::<(), lobe::Error>(())
     /// ```
     ///
@@ -63,7 +63,7 @@ impl Dictionary<f32> {
     ///
     /// # Errors
     /// [`Error::DictionaryMagic`] of what are no bytes of a dictionary; [`Error::DictionaryVersion`] of another layout;
-    /// [`Error::Recipe`] of sizes or means out of range; [`Error::DictionaryLength`] of too few bytes or too many;
+    /// those of [`Dictionary::new`] and [`Error::LobeMeans`] of a recipe out of range; [`Error::DictionaryLength`] of too few bytes or too many;
     /// [`Error::DictionaryChecksum`] of damaged ones; [`Error::DictionaryDensity`] of nodes that are no densities of integral 1.
     ///
     /// WGSL: none, [`Dictionary::nodes`] go into a buffer there.
@@ -71,44 +71,47 @@ impl Dictionary<f32> {
         if bytes.len() < MAGIC.len() || bytes[..MAGIC.len()] != MAGIC {
             return Err(Error::DictionaryMagic);
         }
+        let short = Error::DictionaryLength { expected: HEADER, found: bytes.len() };
         let word = |at: usize| {
             let four = bytes.get(at..at + 4).and_then(|four| four.try_into().ok());
-            four.map(u32::from_le_bytes).ok_or(Error::DictionaryLength)
+            four.map(u32::from_le_bytes).ok_or(short)
         };
-        if word(8)? != VERSION {
-            return Err(Error::DictionaryVersion);
+        let version = word(8)?;
+        if version != VERSION {
+            return Err(Error::DictionaryVersion(version));
         }
         let width = bytes.get(32..40).and_then(|eight| eight.try_into().ok());
         let means = match word(24)? {
             0 => LobeMeans::Stratified,
             1 => LobeMeans::Chermain,
-            _ => return Err(Error::Recipe),
+            other => return Err(Error::LobeMeans(other)),
         };
         let recipe = Recipe {
             marginals: word(12)?,
             levels: word(16)?,
             intervals: word(20)?,
-            width: width.map(f64::from_le_bytes).ok_or(Error::DictionaryLength)?,
+            width: width.map(f64::from_le_bytes).ok_or(short)?,
             means,
             seed: word(28)?,
         };
         recipe.check()?;
         let stored = word(HEADER - 4)?;
-        if Some(bytes.len()) != recipe.nodes().checked_mul(8).and_then(|n| n.checked_add(HEADER)) {
-            return Err(Error::DictionaryLength);
+        let length = recipe.nodes().saturating_mul(8).saturating_add(HEADER);
+        if bytes.len() != length {
+            return Err(Error::DictionaryLength { expected: length, found: bytes.len() });
         }
-        if checksum(bytes) != stored {
-            return Err(Error::DictionaryChecksum);
+        let found = checksum(bytes);
+        if found != stored {
+            return Err(Error::DictionaryChecksum { expected: stored, found });
         }
         let number = |at: &[u8]| at.try_into().map_or(0.0, f32::from_le_bytes);
         let nodes = bytes[HEADER..].chunks_exact(8).map(|b| [number(&b[..4]), number(&b[4..])]);
         let nodes: Vec<_> = nodes.collect();
         let stride = recipe.intervals as usize + 1;
         let step = REACH / f64::from(recipe.intervals);
-        if nodes.chunks_exact(stride).all(|table| is_density(table, step)) {
-            Ok(Self::from_nodes(recipe, nodes))
-        } else {
-            Err(Error::DictionaryDensity)
+        match nodes.chunks_exact(stride).position(|table| !is_density(table, step)) {
+            Some(table) => Err(Error::DictionaryDensity { table }),
+            None => Ok(Self::from_nodes(recipe, nodes)),
         }
     }
 }

@@ -43,7 +43,8 @@ impl<R: Real> Dictionary<R> {
     /// Made by a recipe: by the default one in about half a second, on one core.
     ///
     /// # Errors
-    /// [`Error::Recipe`] outside the ranges of [`Recipe`].
+    /// [`Error::Marginals`], [`Error::Levels`], [`Error::Intervals`], [`Error::LobeWidth`] outside the
+    /// ranges of [`Recipe`].
     ///
     /// WGSL: none, [`Dictionary::nodes`] go into a buffer there.
     pub fn new(recipe: &Recipe) -> Result<Self, Error> {

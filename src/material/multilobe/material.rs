@@ -50,7 +50,7 @@ impl<R: Real> MultiLobe<R> {
     /// WGSL: `lobe_multi_lobe_new`.
     pub fn new(roughness: Roughness<R>, density: R) -> Result<Self, Error> {
         if !(density >= R::lit(1e-18) && density <= R::lit(1e30)) {
-            return Err(Error::Facets);
+            return Err(Error::Facets(density.into()));
         }
         Ok(Self { roughness, density, variation: R::TWO, share: R::ONE, seed: 0 })
     }
@@ -63,7 +63,7 @@ impl<R: Real> MultiLobe<R> {
     /// WGSL: none, a field there.
     pub fn with_variation(self, variation: R) -> Result<Self, Error> {
         if !(variation >= R::ZERO && variation <= R::lit(4.0)) {
-            return Err(Error::Variation);
+            return Err(Error::Variation(variation.into()));
         }
         Ok(Self { variation, ..self })
     }
@@ -78,7 +78,7 @@ impl<R: Real> MultiLobe<R> {
     /// WGSL: none, a field there.
     pub fn with_share(self, share: R) -> Result<Self, Error> {
         if !(share >= R::ZERO && share <= R::ONE) {
-            return Err(Error::Share);
+            return Err(Error::Share(share.into()));
         }
         Ok(Self { share, ..self })
     }

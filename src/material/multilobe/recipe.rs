@@ -69,15 +69,20 @@ impl Recipe {
 
     pub(super) fn check(&self) -> Result<(), Error> {
         let Self { marginals, levels, intervals, width, .. } = *self;
-        let sizes = (1..=65_536).contains(&marginals)
-            && (1..=20).contains(&levels)
-            && (8..=4096).contains(&intervals)
-            && intervals.is_power_of_two();
+        if !(1..=65_536).contains(&marginals) {
+            return Err(Error::Marginals(marginals));
+        }
+        if !(1..=20).contains(&levels) {
+            return Err(Error::Levels(levels));
+        }
+        if !((8..=4096).contains(&intervals) && intervals.is_power_of_two()) {
+            return Err(Error::Intervals(intervals));
+        }
         // NaN is in no range.
-        if sizes && width >= 2.0 / f64::from(intervals) && width <= 0.5 {
+        if width >= 2.0 / f64::from(intervals) && width <= 0.5 {
             Ok(())
         } else {
-            Err(Error::Recipe)
+            Err(Error::LobeWidth { width: width.into(), intervals })
         }
     }
 }

@@ -3,7 +3,7 @@
 #![forbid(unsafe_code)]
 
 use lobe::material::Fresnel;
-use lobe::material::leadr::{Grid, Leadr, Normalization, Shadowing};
+use lobe::material::leadr::{Quadrature, Leadr, Normalization, Shadowing};
 use lobe::shade::Material;
 use lobe::{
     Beckmann, Error, Footprint, Ggx, Isotropic, Kernel, Lobe, PixelFilter, Roughness, filter,
@@ -28,7 +28,7 @@ fn shade(alpha: f32, angle: f32) -> Result<f32, Error> {
     let gold = Material::ggx(lobe, Fresnel::schlick([1.0, 0.8, 0.3])?).bake(&kernel);
     let [red, ..] = gold.evaluate(wo, wi);
     let sky = |wi: [f32; 3], _: f32| [wi[2].max(0.0); 3];
-    let grid = Grid::<f32, 5>::cells();
+    let grid = Quadrature::<f32, 5>::cells();
     let (all, sum) = (Shadowing::Both, Normalization::Sum);
     let [relief, ..] = Leadr::new(&lobe).environment(wo, &grid, all, sum, &Fresnel::white(), &sky);
     Ok(exact + red + relief + ggx.brdf(wo, wi) + widened.brdf(wo, wi) + widened.lambda_walter(wo))

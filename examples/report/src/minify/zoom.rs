@@ -62,7 +62,7 @@ impl Zoom {
         plan: &Plan,
         progress: &(impl Fn() + Sync),
     ) -> Result<Self, Error> {
-        let alpha = plan.alphas.first().copied().ok_or(Error::Alpha)?;
+        let alpha = plan.alphas.first().copied().ok_or(Error::Length { expected: 1, found: 0 })?;
         let size = plan.size;
         let judged = vec![true; size.pixels()];
         let (mut peaks, mut ratios) = (Vec::new(), Vec::new());

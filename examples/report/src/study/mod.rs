@@ -98,10 +98,11 @@ impl Study {
 
         // Timed first, while no other thread of ours runs.
         let timed: Vec<_> = methods.iter().filter(|method| method.samples == 1).collect();
-        let material = materials.first().ok_or(Error::Alpha)?;
+        let material = materials.first().ok_or(Error::Length { expected: 1, found: 0 })?;
         let timing =
             timing::measure(&distant.engine, size, &judged, material, &timed, effort.rounds);
-        let alpha = effort.alphas.first().copied().ok_or(Error::Alpha)?;
+        let alpha =
+            effort.alphas.first().copied().ok_or(Error::Length { expected: 1, found: 0 })?;
         let counted = counted(&distant.engine, size, &judged, alpha)?;
         let costs: Vec<_> =
             methods.iter().map(|m| cost_of(m, &timed, &timing, m.count(&counted))).collect();
