@@ -78,8 +78,7 @@ fn unit_mean<R: Real>(slope: R, width: R, alpha: R) -> R {
 /// let whole = beckmann_rectangle_mean([0.1_f64, 0.1], [0.0, 0.0], [2.0, 2.0]);
 /// assert!((whole - 0.25).abs() < 1e-12); // mass 1 over area 4
 /// ```
-///
-/// WGSL: `lobe_beckmann_rectangle_mean`.
+#[doc(alias = "lobe_beckmann_rectangle_mean")]
 pub fn beckmann_rectangle_mean<R: Real>(
     alphas: impl Into<[R; 2]>,
     slope: impl Into<[R; 2]>,

@@ -29,8 +29,7 @@ use crate::slope::direction::dot;
 /// assert!((alpha - (0.01_f32 + 0.01).sqrt()).abs() < 1e-7);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_tokuyoshi_deferred_alpha`.
+#[doc(alias = "lobe_tokuyoshi_deferred_alpha")]
 pub fn tokuyoshi_deferred_alpha<R: Real>(
     alpha: R,
     dn_u: impl Into<[R; 3]>,
@@ -63,8 +62,7 @@ pub fn tokuyoshi_deferred_alpha<R: Real>(
 /// assert!((old / new - core::f64::consts::PI).abs() < 1e-9);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_tokuyoshi_kaplanyan_deferred_alpha`.
+#[doc(alias = "lobe_tokuyoshi_kaplanyan_deferred_alpha")]
 pub fn tokuyoshi_kaplanyan_deferred_alpha<R: Real>(
     alpha: R,
     dn_u: impl Into<[R; 3]>,
@@ -96,8 +94,7 @@ pub fn tokuyoshi_kaplanyan_deferred_alpha<R: Real>(
 /// assert!((added(dn_v)?.powi(2) - 0.005).abs() < 1e-15);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_largest_deferred_alpha`.
+#[doc(alias = "lobe_largest_deferred_alpha")]
 pub fn largest_deferred_alpha<R: Real>(
     alpha: R,
     dn_u: impl Into<[R; 3]>,
@@ -132,8 +129,7 @@ pub fn largest_deferred_alpha<R: Real>(
 /// assert!((alphas[0].powi(2) - 0.03).abs() < 1e-15 && (alphas[1].powi(2) - 0.015).abs() < 1e-15);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_kaplanyan_deferred_alphas`.
+#[doc(alias = "lobe_kaplanyan_deferred_alphas")]
 pub fn kaplanyan_deferred_alphas<R: Real>(
     alphas: impl Into<[R; 2]>,
     footprint: &Footprint<R>,
@@ -168,8 +164,7 @@ pub fn kaplanyan_deferred_alphas<R: Real>(
 /// assert!((alpha.powi(2) - 0.03).abs() < 1e-15);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_kaplanyan_deferred_alpha`.
+#[doc(alias = "lobe_kaplanyan_deferred_alpha")]
 pub fn kaplanyan_deferred_alpha<R: Real>(
     alpha: R,
     footprint: &Footprint<R>,
@@ -206,8 +201,7 @@ pub type ShadingFrame<R> = [[R; 3]; 3];
 /// assert!((width - 0.02).abs() < 1e-5 && height == 0.0);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_quad_normal_footprint`.
+#[doc(alias = "lobe_quad_normal_footprint")]
 pub fn quad_normal_footprint<R: Real>(quad: &[ShadingFrame<R>; 4]) -> Result<Footprint<R>, Error> {
     let average = [0, 1, 2].map(|k| quad[0][2][k] + quad[1][2][k] + quad[2][2][k] + quad[3][2][k]);
     let seen = |frame: &ShadingFrame<R>| frame.map(|axis| dot(axis, average));

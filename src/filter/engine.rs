@@ -59,8 +59,6 @@ impl AddedVariance {
     /// let o3de = Engine::O3de.added().unwrap().filter();
     /// assert_eq!(o3de, PixelFilter::KAPLANYAN);
     /// ```
-    ///
-    /// WGSL: none, numbers of `lobe_engine_alpha` there.
     pub fn filter(&self) -> PixelFilter {
         // Constants of this file: in range.
         PixelFilter::with_variance(0.5 * self.coefficient).unwrap_or(PixelFilter::BOX)
@@ -80,8 +78,6 @@ impl Engine {
     ];
 
     /// The engine's name.
-    ///
-    /// WGSL: none, text.
     pub fn name(self) -> &'static str {
         match self {
             Self::Filament => "Filament",
@@ -95,8 +91,6 @@ impl Engine {
     }
 
     /// What the engine computes, in its own terms: r is perceptual roughness, t the squared derivatives' sum.
-    ///
-    /// WGSL: none, text.
     pub fn formula(self) -> &'static str {
         match self {
             Self::Filament => "alpha^2 + min(2 0.15 t, 0.2^2)",
@@ -110,8 +104,6 @@ impl Engine {
     }
 
     /// Coefficient and cap where the filter adds to alpha^2; the others have none that would hold for every alpha.
-    ///
-    /// WGSL: none, numbers of `lobe_engine_alpha` there.
     pub fn added(self) -> Option<AddedVariance> {
         let (coefficient, cap) = match self {
             Self::Filament => (2.0 * 0.15, 0.2 * 0.2),
@@ -124,8 +116,6 @@ impl Engine {
     }
 
     /// Which normal the engine differentiates: the geometry's, or the shading normal after its map.
-    ///
-    /// WGSL: none, text.
     pub fn normal(self) -> &'static str {
         match self {
             Self::Filament | Self::UnityHdrp | Self::ThreeJs => "geometry",
@@ -134,8 +124,6 @@ impl Engine {
     }
 
     /// What is wrong or left unsaid.
-    ///
-    /// WGSL: none, text.
     pub fn shortcoming(self) -> &'static str {
         match self {
             Self::Filament => {
@@ -178,8 +166,7 @@ impl Engine {
     /// assert!((Engine::Godot.alpha(0.01, dn_u, dn_v)? - 0.060).abs() < 5e-4);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_engine_alpha`.
+    #[doc(alias = "lobe_engine_alpha")]
     pub fn alpha<R: Real>(
         self,
         alpha: R,

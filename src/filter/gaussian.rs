@@ -24,8 +24,7 @@ impl<R: Real> Roughness<R> {
     /// assert!((widened.alphas().major - (0.01_f64 + 0.02).sqrt()).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_roughness_widened`.
+    #[doc(alias = "lobe_roughness_widened")]
     #[must_use]
     #[inline]
     pub fn widened(&self, kernel: &Kernel<R>) -> Self {
@@ -46,8 +45,7 @@ impl<R: Real> Lobe<R> {
     /// assert!(ndf.brdf(up, up) < Ggx::new(lobe.shape()).brdf(up, up));
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_lobe_widened`.
+    #[doc(alias = "lobe_lobe_widened")]
     #[must_use]
     #[inline]
     pub fn widened(&self, kernel: &Kernel<R>) -> Self {
@@ -78,8 +76,7 @@ impl<R: Real> Lobe<R> {
 /// assert!(proxy > 1.1 * exact); // variance addition is too bright
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_ggx_gaussian_mean`.
+#[doc(alias = "lobe_ggx_gaussian_mean")]
 pub fn ggx_gaussian_mean<R: Real>(
     lobe: &Lobe<R>,
     slope: impl Into<[R; 2]>,

@@ -42,8 +42,7 @@ fn eight_terms<R: Real>(alphas: [R; 2], slope: [R; 2], reach: [R; 2]) -> R {
 /// let whole = kaplanyan_rectangle_mean([0.01_f64, 0.01], [0.0, 0.0], [20.0, 20.0]);
 /// assert!((whole - 1.0 / 400.0).abs() < 1e-8); // mass 1 over area 400
 /// ```
-///
-/// WGSL: `lobe_kaplanyan_rectangle_mean`.
+#[doc(alias = "lobe_kaplanyan_rectangle_mean")]
 pub fn kaplanyan_rectangle_mean<R: Real>(
     alphas: impl Into<[R; 2]>,
     slope: impl Into<[R; 2]>,
@@ -67,8 +66,7 @@ pub fn kaplanyan_rectangle_mean<R: Real>(
 /// let meant = kaplanyan_rectangle_mean(alphas, slope, [0.1, 0.1]);
 /// assert!((printed / meant - 4.0).abs() < 1e-12);
 /// ```
-///
-/// WGSL: `lobe_kaplanyan_rectangle_mean_as_printed`.
+#[doc(alias = "lobe_kaplanyan_rectangle_mean_as_printed")]
 pub fn kaplanyan_rectangle_mean_as_printed<R: Real>(
     alphas: impl Into<[R; 2]>,
     slope: impl Into<[R; 2]>,
@@ -106,8 +104,7 @@ fn normalized<R: Real>(alphas: [R; 2], widths: [R; 2], terms: R) -> R {
 /// let [printed, exact] = [kaplanyan_proxy_alpha, box_peak_alpha].map(|f| f(0.01_f64, 0.1).unwrap());
 /// assert!((printed / exact).powi(2) > 3.0); // the peak falls like 1/alpha^2
 /// ```
-///
-/// WGSL: `lobe_kaplanyan_proxy_alpha`.
+#[doc(alias = "lobe_kaplanyan_proxy_alpha")]
 pub fn kaplanyan_proxy_alpha<R: Real>(alpha: R, width: R) -> Result<R, Error> {
     if !alpha.is_magnitude() {
         return Err(Error::Alpha(alpha.into()));

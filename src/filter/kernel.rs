@@ -42,8 +42,6 @@ impl PixelFilter {
     ///
     /// # Errors
     /// [`Error::Variance`] unless in $[0, 10^9]$.
-    ///
-    /// WGSL: none, variances are plain numbers there.
     pub fn with_variance(variance: f64) -> Result<Self, Error> {
         if variance.is_magnitude() {
             Ok(Self { variance })
@@ -53,8 +51,6 @@ impl PixelFilter {
     }
 
     /// The variance in squared pixels.
-    ///
-    /// WGSL: none, variances are plain numbers there.
     pub fn variance(self) -> f64 {
         self.variance
     }
@@ -74,6 +70,9 @@ impl PixelFilter {
 /// let [xx, xy, yy] = Kernel::of(&footprint, PixelFilter::KAPLANYAN).covariance().entries();
 /// assert!((xx - 0.005).abs() < 1e-15 && xy == 0.0 && yy == 0.0);
 /// ```
+#[doc(alias = "Sigma_K")]
+#[doc(alias = "LobeKernel")]
+#[doc(alias = "lobe_kernel_add")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Kernel<R> {
     covariance: Psd<R>,
@@ -84,8 +83,7 @@ impl<R: Real> Kernel<R> {
     ///
     /// Footprints of grazing half vectors have no bound: one with a component beyond $10^9$ is shrunk in
     /// proportion, as squares would overflow f32.
-    ///
-    /// WGSL: `lobe_kernel_of`.
+    #[doc(alias = "lobe_kernel_of")]
     #[inline]
     pub fn of(footprint: &Footprint<R>, filter: PixelFilter) -> Self {
         // Infinite components count as the largest, and so do those without a number.
@@ -100,16 +98,13 @@ impl<R: Real> Kernel<R> {
     }
 
     /// A kernel of this covariance: an area light, a depth of field, a normal map's spread.
-    ///
-    /// WGSL: `lobe_kernel_from_covariance`.
+    #[doc(alias = "lobe_kernel_from_covariance")]
     #[inline]
     pub fn from_covariance(covariance: Psd<R>) -> Self {
         Self { covariance }
     }
 
     /// The covariance $\Sigma_K$.
-    ///
-    /// WGSL: none, a field there.
     #[inline]
     pub fn covariance(&self) -> Psd<R> {
         self.covariance
@@ -130,8 +125,7 @@ impl<R: Real> Kernel<R> {
     /// let (a, b) = (kernel.covariance().entries(), back.covariance().entries());
     /// assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-15));
     /// ```
-    ///
-    /// WGSL: `lobe_kernel_footprint`.
+    #[doc(alias = "lobe_kernel_footprint")]
     pub fn footprint(&self, filter: PixelFilter) -> Footprint<R> {
         let Eigen { major, minor, axis: [cos, sin] } = self.covariance.eigen();
         if filter.variance <= 0.0 {
@@ -157,8 +151,7 @@ impl<R: Real> Kernel<R> {
     /// let capped = wide.capped(0.18).covariance().entries();
     /// assert!((capped[0] - 0.09).abs() < 1e-15 && (capped[2] - 0.01 / 12.0).abs() < 1e-15);
     /// ```
-    ///
-    /// WGSL: `lobe_kernel_capped`.
+    #[doc(alias = "lobe_kernel_capped")]
     #[must_use]
     pub fn capped(&self, limit: R) -> Self {
         Self { covariance: self.covariance.capped(R::HALF * limit) }
@@ -185,8 +178,6 @@ impl<R: Real> Add for Kernel<R> {
     /// assert_eq!(nested.matrix().entries()[0], texels.lobe(base).widened(&pixel).roughness().matrix().entries()[0]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_kernel_add`.
     fn add(self, other: Self) -> Self {
         Self { covariance: self.covariance + other.covariance }
     }

@@ -47,8 +47,7 @@ fn checked<R: Real>(length: R) -> Result<R, Error> {
 /// assert_eq!(lobe::filter::toksvig_variance(0.8_f64)?, 0.25 * (1.0 - 0.8) / 0.2);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_toksvig_variance`.
+#[doc(alias = "lobe_toksvig_variance")]
 pub fn toksvig_variance<R: Real>(length: R) -> Result<R, Error> {
     let length = checked(length)?;
     Ok(((R::ONE - length) / length).min(R::LARGEST))
@@ -69,8 +68,7 @@ pub fn toksvig_variance<R: Real>(length: R) -> Result<R, Error> {
 /// assert!((wider * variances - 1.0).abs() < 1e-14);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_toksvig_exponent`.
+#[doc(alias = "lobe_toksvig_exponent")]
 pub fn toksvig_exponent<R: Real>(exponent: R, length: R) -> Result<R, Error> {
     if !exponent.is_magnitude() {
         return Err(Error::Exponent(exponent.into()));
@@ -95,8 +93,7 @@ pub fn toksvig_exponent<R: Real>(exponent: R, length: R) -> Result<R, Error> {
 /// assert_eq!(sigma_squared, 0.02);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_clean_variance`.
+#[doc(alias = "lobe_clean_variance")]
 pub fn clean_variance<R: Real>(mean: impl Into<[R; 2]>, second: R) -> Result<R, Error> {
     let [x, y] = checked_slope(mean)?;
     if !(second.abs() <= R::LARGEST * R::LARGEST) {
@@ -119,8 +116,8 @@ pub fn clean_variance<R: Real>(mean: impl Into<[R; 2]>, second: R) -> Result<R, 
 /// assert!((1.0 / kappa.tanh() - 1.0 / kappa - 0.98).abs() < 2e-3);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_vmf_sharpness`.
+#[doc(alias = "kappa")]
+#[doc(alias = "lobe_vmf_sharpness")]
 pub fn vmf_sharpness<R: Real>(length: R) -> Result<R, Error> {
     let r = checked(length)?;
     let spread = (R::ONE - r) * (R::ONE + r);
@@ -145,8 +142,6 @@ impl VmfWidening {
     pub const SPECULAR_AA: Self = Self { gain: 2.0 };
 
     /// What is divided by $\kappa$ and added to alpha^2.
-    ///
-    /// WGSL: none, the constants are this number there.
     pub fn gain(self) -> f64 {
         self.gain
     }
@@ -163,8 +158,7 @@ impl VmfWidening {
     /// assert!((right.alpha(0.0, 0.99)? / alpha - 2.0).abs() < 1e-14);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_vmf_alpha`.
+    #[doc(alias = "lobe_vmf_alpha")]
     pub fn alpha<R: Real>(self, alpha: R, length: R) -> Result<R, Error> {
         if !alpha.is_magnitude() {
             return Err(Error::Alpha(alpha.into()));

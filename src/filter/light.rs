@@ -27,6 +27,7 @@ use crate::slope::{Footprint, Motion};
 /// assert!(radiance > 0.0 && radiance < 1.0); // never brighter than the light
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobeSphericalGaussian")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphericalGaussian<R> {
     direction: [R; 3],
@@ -38,8 +39,7 @@ impl<R: Real> SphericalGaussian<R> {
     ///
     /// # Errors
     /// [`Error::Direction`] for a direction without length; [`Error::Sharpness`] unless in $[10^{-9}, 10^{18}]$.
-    ///
-    /// WGSL: `lobe_spherical_gaussian_new`.
+    #[doc(alias = "lobe_spherical_gaussian_new")]
     pub fn new(direction: impl Into<[R; 3]>, sharpness: R) -> Result<Self, Error> {
         let given = direction.into();
         let direction = normalize(given);
@@ -59,8 +59,7 @@ impl<R: Real> SphericalGaussian<R> {
     /// # Errors
     /// [`Error::Direction`] as [`SphericalGaussian::new`]; [`Error::Radius`] unless the radius lies in $[2 \cdot
     /// 10^{-9}, 6 \cdot 10^4]$ radians.
-    ///
-    /// WGSL: `lobe_spherical_gaussian_from_angular_radius`.
+    #[doc(alias = "lobe_spherical_gaussian_from_angular_radius")]
     pub fn from_angular_radius(direction: impl Into<[R; 3]>, radius: R) -> Result<Self, Error> {
         // A radius of either sign has one square.
         let sharpness = if radius > R::ZERO { R::lit(4.0) / radius / radius } else { R::ZERO };
@@ -71,15 +70,11 @@ impl<R: Real> SphericalGaussian<R> {
     }
 
     /// The unit direction of the brightest point.
-    ///
-    /// WGSL: none, a field there.
     pub fn direction(&self) -> [R; 3] {
         self.direction
     }
 
     /// The sharpness lambda.
-    ///
-    /// WGSL: none, a field there.
     pub fn sharpness(&self) -> R {
         self.sharpness
     }
@@ -93,8 +88,7 @@ impl<R: Real> SphericalGaussian<R> {
     /// assert!((sky.integral() / (4.0 * core::f64::consts::PI) - 1.0).abs() < 1e-8);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_spherical_gaussian_integral`.
+    #[doc(alias = "lobe_spherical_gaussian_integral")]
     pub fn integral(&self) -> R {
         let x = R::TWO * self.sharpness;
         // (1 - e^-x)/x by its series where the difference cancels; the next term is x^3/24.
@@ -112,8 +106,7 @@ impl<R: Real> SphericalGaussian<R> {
     /// Zero where the half vector is not above the surface. Combine it with the pixel's: [`Kernel::add`].
     ///
     /// Source: Tokuyoshi et al. 2024, here in slope space.
-    ///
-    /// WGSL: `lobe_spherical_gaussian_kernel`.
+    #[doc(alias = "lobe_spherical_gaussian_kernel")]
     #[inline]
     pub fn kernel(&self, wo: impl Into<[R; 3]>) -> Kernel<R> {
         Kernel::of(&self.footprint(wo), self.spread())
@@ -133,8 +126,7 @@ impl<R: Real> SphericalGaussian<R> {
     /// assert!((kernel.covariance().entries()[0] - 0.0025).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_spherical_gaussian_disk_kernel`.
+    #[doc(alias = "lobe_spherical_gaussian_disk_kernel")]
     #[inline]
     pub fn disk_kernel(&self, wo: impl Into<[R; 3]>) -> DiskKernel<R> {
         let g = self.sum(wo.into());
@@ -150,8 +142,7 @@ impl<R: Real> SphericalGaussian<R> {
 
     /// How the half vector's slope changes per radian of the light's direction: for
     /// [`Ndf::brdf_over`](crate::Ndf::brdf_over), scaled to the size of a light.
-    ///
-    /// WGSL: `lobe_spherical_gaussian_footprint`.
+    #[doc(alias = "lobe_spherical_gaussian_footprint")]
     #[inline]
     pub fn footprint(&self, wo: impl Into<[R; 3]>) -> Footprint<R> {
         let [u, v] = self.tangents().map(|half_vector| Motion { half_vector, ..Motion::default() });

@@ -22,6 +22,8 @@ use core::ops::Add;
 /// assert!(widened.alphas().major > 0.9 && widened.alphas().major < 1.0);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobeDiskKernel")]
+#[doc(alias = "lobe_disk_kernel_add")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DiskKernel<R> {
     /// The same numbers, as a kernel that does not know its space.
@@ -32,8 +34,7 @@ impl<R: Real> DiskKernel<R> {
     /// The kernel of two derivative vectors of $(h_x, h_y)$, one per pixel axis, under a pixel filter.
     ///
     /// Source: Tokuyoshi & Kaplanyan 2021, Eq. 3, there with [`PixelFilter::TOKUYOSHI_KAPLANYAN`].
-    ///
-    /// WGSL: `lobe_disk_kernel_of`.
+    #[doc(alias = "lobe_disk_kernel_of")]
     #[inline]
     pub fn of(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>, filter: PixelFilter) -> Self {
         Self { as_slopes: Kernel::of(&Footprint::from_slopes(u, v), filter) }
@@ -48,32 +49,27 @@ impl<R: Real> DiskKernel<R> {
     /// assert_eq!(widened.matrix().entries()[1], 0.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_disk_kernel_of_bounding`.
+    #[doc(alias = "lobe_disk_kernel_of_bounding")]
     #[inline]
     pub fn of_bounding(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>, filter: PixelFilter) -> Self {
         Self { as_slopes: Kernel::of(&Footprint::from_slopes(u, v).bounding(), filter) }
     }
 
     /// A kernel of this covariance.
-    ///
-    /// WGSL: `lobe_disk_kernel_from_covariance`.
+    #[doc(alias = "lobe_disk_kernel_from_covariance")]
     #[inline]
     pub fn from_covariance(covariance: Psd<R>) -> Self {
         Self { as_slopes: Kernel::from_covariance(covariance) }
     }
 
     /// The covariance.
-    ///
-    /// WGSL: none, a field there.
     #[inline]
     pub fn covariance(&self) -> Psd<R> {
         self.as_slopes.covariance()
     }
 
     /// The kernel with the alpha^2 that it adds limited to `limit` along each axis, as [`Kernel::capped`].
-    ///
-    /// WGSL: `lobe_disk_kernel_capped`.
+    #[doc(alias = "lobe_disk_kernel_capped")]
     #[must_use]
     pub fn capped(&self, limit: R) -> Self {
         Self { as_slopes: self.as_slopes.capped(limit) }
@@ -93,8 +89,6 @@ impl<R: Real> DiskKernel<R> {
     /// let narrowed = DiskKernel::of(u, v, PixelFilter::KAPLANYAN).as_slopes();
     /// assert_eq!(narrowed, Kernel::tokuyoshi_forward(u, v));
     /// ```
-    ///
-    /// WGSL: none, a field there.
     #[inline]
     pub fn as_slopes(&self) -> Kernel<R> {
         self.as_slopes
@@ -105,8 +99,6 @@ impl<R: Real> Add for DiskKernel<R> {
     type Output = Self;
 
     /// Two kernels one after the other: covariances add.
-    ///
-    /// WGSL: `lobe_disk_kernel_add`.
     fn add(self, other: Self) -> Self {
         Self { as_slopes: self.as_slopes + other.as_slopes }
     }
@@ -129,8 +121,7 @@ impl<R: Real> Kernel<R> {
     /// assert!((widened.alphas().major.powi(2) - (0.01 + 0.02)).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_kernel_tokuyoshi_forward`.
+    #[doc(alias = "lobe_kernel_tokuyoshi_forward")]
     #[inline]
     pub fn tokuyoshi_forward(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Self {
         DiskKernel::of(u, v, PixelFilter::KAPLANYAN).as_slopes()
@@ -160,8 +151,7 @@ impl<R: Real> Roughness<R> {
     /// assert_eq!(square(1.0), 1.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_roughness_widened_on_disk`.
+    #[doc(alias = "lobe_roughness_widened_on_disk")]
     #[must_use]
     #[inline]
     pub fn widened_on_disk(&self, kernel: &DiskKernel<R>) -> Self {
@@ -203,8 +193,7 @@ impl<R: Real> Roughness<R> {
 /// assert_eq!(projected_alpha(2.0_f64, 0.5)?, 2.0);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_projected_alpha`.
+#[doc(alias = "lobe_projected_alpha")]
 pub fn projected_alpha<R: Real>(alpha: R, added: R) -> Result<R, Error> {
     if !alpha.is_magnitude() {
         return Err(Error::Alpha(alpha.into()));

@@ -37,8 +37,8 @@ use crate::slope::{Anisotropic, Footprint, Lobe, LobeShape, Roughness};
 /// assert!((proxy / mean - 1.0).abs() < 1e-12);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_box_peak_alpha`.
+#[doc(alias = "beta")]
+#[doc(alias = "lobe_box_peak_alpha")]
 pub fn box_peak_alpha<R: Real>(alpha: R, width: R) -> Result<R, Error> {
     if !alpha.is_magnitude() {
         return Err(Error::Alpha(alpha.into()));
@@ -69,8 +69,7 @@ pub fn box_peak_alpha<R: Real>(alpha: R, width: R) -> Result<R, Error> {
 /// assert!((alpha.powi(2) - (0.01 + 2.0 * 2e-8)).abs() < 1e-13);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: `lobe_gaussian_peak_alpha`.
+#[doc(alias = "lobe_gaussian_peak_alpha")]
 pub fn gaussian_peak_alpha<R: Real>(alpha: R, sigma: R) -> Result<R, Error> {
     if !alpha.is_magnitude() {
         return Err(Error::Alpha(alpha.into()));
@@ -178,8 +177,7 @@ impl<R: Real> Roughness<R> {
     /// assert!((matched.alphas().major / gaussian_peak_alpha(0.1, 0.1)? - 1.0).abs() < 1e-9);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_roughness_peak_matched`.
+    #[doc(alias = "lobe_roughness_peak_matched")]
     #[must_use]
     pub fn peak_matched(&self, kernel: &Kernel<R>) -> Self {
         let peak = ggx_gaussian_mean(&Lobe::centered(*self), [R::ZERO; 2], kernel);
@@ -201,8 +199,7 @@ impl<R: Real> Roughness<R> {
     /// assert!((fitted.matrix().root_det() / matched.matrix().root_det() - 1.0).abs() < 0.0132);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_roughness_peak_fitted`.
+    #[doc(alias = "lobe_roughness_peak_fitted")]
     #[must_use]
     #[inline]
     pub fn peak_fitted(&self, kernel: &Kernel<R>) -> Self {
@@ -228,8 +225,7 @@ impl<R: Real> Roughness<R> {
     /// assert!((matched.alphas().major / box_peak_alpha(0.1, 0.3)? - 1.0).abs() < 1e-9);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_roughness_peak_matched_over`.
+    #[doc(alias = "lobe_roughness_peak_matched_over")]
     #[must_use]
     pub fn peak_matched_over(&self, footprint: &Footprint<R>) -> Self {
         let footprint = footprint.bounded();

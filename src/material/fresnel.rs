@@ -27,8 +27,6 @@ enum Term<R> {
 
 impl<R: Real> Fresnel<R> {
     /// Reflectance 1 at every angle: a white furnace, or a Fresnel term applied elsewhere.
-    ///
-    /// WGSL: none, a reflectance of 1 there.
     #[inline]
     pub fn white() -> Self {
         Self { term: Term::Schlick { normal: [R::ONE; 3] } }
@@ -49,8 +47,7 @@ impl<R: Real> Fresnel<R> {
     /// assert_eq!(plastic.reflectance(0.0), [1.0; 3]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_fresnel_schlick`.
+    #[doc(alias = "lobe_fresnel_schlick")]
     pub fn schlick(normal: [R; 3]) -> Result<Self, Error> {
         match normal.iter().find(|f| !(**f >= R::ZERO && **f <= R::ONE)) {
             Some(&f) => Err(Error::Reflectance(f.into())),
@@ -78,8 +75,7 @@ impl<R: Real> Fresnel<R> {
     /// assert!((glass.reflectance(1.0)[0] - 0.04).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_fresnel_conductor`.
+    #[doc(alias = "lobe_fresnel_conductor")]
     pub fn conductor(eta: [R; 3], k: [R; 3]) -> Result<Self, Error> {
         if let Some(&x) = eta.iter().find(|x| !(x.is_magnitude() && **x > R::ZERO)) {
             return Err(Error::Eta(x.into()));
@@ -93,8 +89,8 @@ impl<R: Real> Fresnel<R> {
     /// Reflectance per channel for the cosine between a direction and the half vector, in \[0, 1\].
     ///
     /// Cosines outside \[0, 1\] count as the nearest end; 1 at grazing incidence.
-    ///
-    /// WGSL: `lobe_fresnel_schlick`, `lobe_fresnel_conductor`.
+    #[doc(alias = "lobe_fresnel_schlick")]
+    #[doc(alias = "lobe_fresnel_conductor")]
     #[inline]
     pub fn reflectance(&self, cos: R) -> [R; 3] {
         let cos = cos.max(R::ZERO).min(R::ONE);

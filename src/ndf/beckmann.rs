@@ -52,8 +52,7 @@ impl<S: LobeShape> Ndf<BeckmannDistribution, S> {
     /// assert!((1.0 / (1.0 + fit) - 1.0 / (1.0 + exact)).abs() < 3.11e-3);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_beckmann_lambda_walter`.
+    #[doc(alias = "lobe_beckmann_lambda_walter")]
     pub fn lambda_walter(&self, w: impl Into<[S::Scalar; 3]>) -> S::Scalar {
         let w = w.into();
         let (c, a2) = (self.shape().mean_area(w), self.shape().stretch_squared(w));

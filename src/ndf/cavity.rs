@@ -21,8 +21,7 @@ use crate::slope::direction::dot;
 /// assert!(cavity_masking([0.8, 0.0, 0.6], m) == 1.0);
 /// assert!(cavity_masking([0.995, 0.0, 0.1], m) < 0.25);
 /// ```
-///
-/// WGSL: `lobe_cavity_masking`.
+#[doc(alias = "lobe_cavity_masking")]
 #[inline]
 pub fn cavity_masking<R: Real>(w: impl Into<[R; 3]>, m: impl Into<[R; 3]>) -> R {
     let (w, m) = (w.into(), m.into());
@@ -45,8 +44,7 @@ pub fn cavity_masking<R: Real>(w: impl Into<[R; 3]>, m: impl Into<[R; 3]>) -> R 
 /// let (wo, wi) = ([0.6_f64, 0.0, 0.8], [0.0, 0.6, 0.8]);
 /// assert_eq!(cavity_masking_shadowing(wo, wi, half_vector(wo, wi)), 1.0);
 /// ```
-///
-/// WGSL: `lobe_cavity_masking_shadowing`.
+#[doc(alias = "lobe_cavity_masking_shadowing")]
 #[inline]
 pub fn cavity_masking_shadowing<R: Real>(
     wo: impl Into<[R; 3]>,

@@ -22,21 +22,21 @@ pub trait Distribution: sealed::Sealed + Copy {
     /// The density is homogeneous of degree 0 in form (2), z (1) and length, so that a half vector need not
     /// be normalized. The weight is a factor within: a density below the range of f32 times a visibility
     /// above 1 need not be. Of a mirror, whose `root_det` is 0, it is 0 or NaN: callers drop NaN.
-    ///
-    /// WGSL: `lobe_ggx_density`, `lobe_beckmann_density`.
+    #[doc(alias = "lobe_ggx_density")]
+    #[doc(alias = "lobe_beckmann_density")]
     fn density<R: Real>(form: R, root_det: R, z: R, length_squared: R, weight: R) -> R;
 
     /// $\sigma(w) - \max(c, 0)$ for $|c|$ and $a^2$: the projected area beyond that of the mean plane.
     ///
     /// One function serves both signs of c, as $\sigma(w) - \sigma(-w) = c$. `c >= 0`, `a2 >= 0`; 0
     /// where both are.
-    ///
-    /// WGSL: `lobe_ggx_excess`, `lobe_beckmann_excess`.
+    #[doc(alias = "lobe_ggx_excess")]
+    #[doc(alias = "lobe_beckmann_excess")]
     fn excess<R: Real>(c: R, a2: R) -> R;
 
     /// $\sigma(w) + \sigma(-w) = |c| + 2$ excess, for c of either sign: what visibility is made of.
-    ///
-    /// WGSL: `lobe_ggx_even_area`, `lobe_beckmann_even_area`.
+    #[doc(alias = "lobe_ggx_even_area")]
+    #[doc(alias = "lobe_beckmann_even_area")]
     #[inline(always)]
     fn even_area<R: Real>(c: R, a2: R) -> R {
         c.abs() + R::TWO * Self::excess(c.abs(), a2)
@@ -61,16 +61,12 @@ pub struct Ndf<D, S> {
 
 impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// The distribution over this shape.
-    ///
-    /// WGSL: none, functions take the shape there.
     #[inline(always)]
     pub fn new(shape: S) -> Self {
         Self { shape, distribution: PhantomData }
     }
 
     /// The shape.
-    ///
-    /// WGSL: none, an argument there.
     #[inline(always)]
     pub fn shape(&self) -> &S {
         &self.shape
@@ -87,8 +83,9 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// assert!((ndf.slope_pdf([1.0, 0.0]) - 0.25 / core::f64::consts::PI).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_ggx_slope_pdf`, `lobe_beckmann_slope_pdf`.
+    #[doc(alias = "P22")]
+    #[doc(alias = "lobe_ggx_slope_pdf")]
+    #[doc(alias = "lobe_beckmann_slope_pdf")]
     #[inline(always)]
     pub fn slope_pdf(&self, slope: impl Into<[S::Scalar; 2]>) -> S::Scalar {
         let s = slope.into();
@@ -111,8 +108,9 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// assert_eq!(ndf.d([0.6, 0.0, -0.8]), 0.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_ggx_d`, `lobe_beckmann_d`.
+    #[doc(alias = "D")]
+    #[doc(alias = "lobe_ggx_d")]
+    #[doc(alias = "lobe_beckmann_d")]
     #[inline(always)]
     pub fn d(&self, m: impl Into<[S::Scalar; 3]>) -> S::Scalar {
         let (m, zero, one) = (m.into(), S::Scalar::ZERO, S::Scalar::ONE);
@@ -137,8 +135,8 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// assert_eq!(ndf.brdf(wo, wi), ndf.brdf(wi, wo));
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_ggx_brdf`, `lobe_beckmann_brdf`.
+    #[doc(alias = "lobe_ggx_brdf")]
+    #[doc(alias = "lobe_beckmann_brdf")]
     #[inline(always)]
     pub fn brdf(&self, wo: impl Into<[S::Scalar; 3]>, wi: impl Into<[S::Scalar; 3]>) -> S::Scalar {
         let (wo, wi) = (wo.into(), wi.into());
@@ -183,8 +181,8 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// assert!(ndf.unshadowed_brdf_cos(wo, wi) > ndf.brdf(wo, wi) * wi[2]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_ggx_unshadowed_brdf_cos`, `lobe_beckmann_unshadowed_brdf_cos`.
+    #[doc(alias = "lobe_ggx_unshadowed_brdf_cos")]
+    #[doc(alias = "lobe_beckmann_unshadowed_brdf_cos")]
     #[inline(always)]
     pub fn unshadowed_brdf_cos(
         &self,

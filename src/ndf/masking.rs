@@ -25,8 +25,9 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// assert_eq!(ndf.projected_area([1.0, 0.0, 0.0]), 0.25);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_ggx_projected_area`, `lobe_beckmann_projected_area`.
+    #[doc(alias = "sigma")]
+    #[doc(alias = "lobe_ggx_projected_area")]
+    #[doc(alias = "lobe_beckmann_projected_area")]
     #[inline(always)]
     pub fn projected_area(&self, w: impl Into<[S::Scalar; 3]>) -> S::Scalar {
         let w = w.into();
@@ -47,8 +48,9 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// assert!((lambda - 2.5e-11).abs() < 1e-17);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_ggx_lambda`, `lobe_beckmann_lambda`.
+    #[doc(alias = "Lambda")]
+    #[doc(alias = "lobe_ggx_lambda")]
+    #[doc(alias = "lobe_beckmann_lambda")]
     #[inline(always)]
     pub fn lambda(&self, w: impl Into<[S::Scalar; 3]>) -> S::Scalar {
         let w = w.into();
@@ -67,8 +69,9 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// assert_eq!(ndf.g1([1.0, 0.0, 0.0]), 0.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_ggx_masking`, `lobe_beckmann_masking`.
+    #[doc(alias = "G1")]
+    #[doc(alias = "lobe_ggx_masking")]
+    #[doc(alias = "lobe_beckmann_masking")]
     #[inline(always)]
     pub fn g1(&self, w: impl Into<[S::Scalar; 3]>) -> S::Scalar {
         let w = w.into();
@@ -90,8 +93,9 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// assert!(ndf.g2(wo, wi) <= ndf.g1(wo));
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_ggx_masking_shadowing`, `lobe_beckmann_masking_shadowing`.
+    #[doc(alias = "G2")]
+    #[doc(alias = "lobe_ggx_masking_shadowing")]
+    #[doc(alias = "lobe_beckmann_masking_shadowing")]
     #[inline(always)]
     pub fn g2(&self, wo: impl Into<[S::Scalar; 3]>, wi: impl Into<[S::Scalar; 3]>) -> S::Scalar {
         let (c_o, c_i, sum) = self.visibility_terms(wo.into(), wi.into());
@@ -113,8 +117,9 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// assert_eq!(ndf.visibility([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]), 0.25);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_ggx_visibility`, `lobe_beckmann_visibility`.
+    #[doc(alias = "V")]
+    #[doc(alias = "lobe_ggx_visibility")]
+    #[doc(alias = "lobe_beckmann_visibility")]
     #[inline(always)]
     pub fn visibility(
         &self,

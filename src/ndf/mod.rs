@@ -31,4 +31,6 @@ pub type Beckmann<S> = Ndf<BeckmannDistribution, S>;
 /// assert!((ndf.brdf(up, up) - 4.0 / core::f32::consts::PI).abs() < 1e-6);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "Trowbridge-Reitz")]
+#[doc(alias = "GTR2")]
 pub type Ggx<S> = Ndf<GgxDistribution, S>;

@@ -19,6 +19,9 @@ use core::ops::{Add, Mul};
 /// assert!((eigen.major - 3.0).abs() < 1e-12 && (eigen.minor - 1.0).abs() < 1e-12);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobePsd")]
+#[doc(alias = "lobe_psd_mul")]
+#[doc(alias = "lobe_psd_add")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Psd<R> {
     xx: R,
@@ -28,6 +31,7 @@ pub struct Psd<R> {
 }
 
 /// Eigenvalues and major axis of a [`Psd`].
+#[doc(alias = "LobeEigen")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Eigen<R> {
     /// The larger eigenvalue.
@@ -47,8 +51,7 @@ impl<R: Real> Psd<R> {
     /// # Errors
     /// [`Error::MatrixEntry`] unless all entries lie in $[-10^{18}, 10^{18}]$,
     /// [`Error::MatrixNotPositive`].
-    ///
-    /// WGSL: `lobe_psd_new`.
+    #[doc(alias = "lobe_psd_new")]
     pub fn new(xx: R, xy: R, yy: R) -> Result<Self, Error> {
         let largest = R::LARGEST * R::LARGEST;
         if let Some(&beyond) = [xx, xy, yy].iter().find(|entry| !(entry.abs() <= largest)) {
@@ -83,8 +86,7 @@ impl<R: Real> Psd<R> {
     /// let mended = lobe::Psd::nearest(1.0_f64, 2.0, 1.0); // eigenvalues 3 and -1
     /// assert!(mended.entries().iter().all(|x| (x - 1.5).abs() < 1e-15));
     /// ```
-    ///
-    /// WGSL: `lobe_psd_nearest`.
+    #[doc(alias = "lobe_psd_nearest")]
     pub fn nearest(xx: R, xy: R, yy: R) -> Self {
         let det = difference_of_products(xx, yy, xy, xy);
         if xx >= R::ZERO && yy >= R::ZERO && det >= R::ZERO {
@@ -96,8 +98,6 @@ impl<R: Real> Psd<R> {
     }
 
     /// The zero matrix.
-    ///
-    /// WGSL: none, `LobePsd(0.0, 0.0, 0.0, 0.0)` there.
     pub fn zero() -> Self {
         Self::default()
     }
@@ -127,8 +127,7 @@ impl<R: Real> Psd<R> {
     /// let k = Psd::outer_sum([1.0_f32, 1.0], [1.0, 1.0 + 1e-3]);
     /// assert!((k.root_det() - 1e-3).abs() < 1e-6);
     /// ```
-    ///
-    /// WGSL: `lobe_psd_outer_sum`.
+    #[doc(alias = "lobe_psd_outer_sum")]
     #[inline]
     pub fn outer_sum(u: [R; 2], v: [R; 2]) -> Self {
         Self {
@@ -140,39 +139,32 @@ impl<R: Real> Psd<R> {
     }
 
     /// The entries `xx`, `xy`, `yy`.
-    ///
-    /// WGSL: none, fields there.
     #[inline]
     pub fn entries(&self) -> [R; 3] {
         [self.xx, self.xy, self.yy]
     }
 
     /// Determinant.
-    ///
-    /// WGSL: `lobe_psd_det`.
+    #[doc(alias = "lobe_psd_det")]
     #[inline]
     pub fn det(&self) -> R {
         self.root_det * self.root_det
     }
 
     /// Square root of the determinant: the area scale of the ellipse.
-    ///
-    /// WGSL: none, a field there.
     #[inline(always)]
     pub fn root_det(&self) -> R {
         self.root_det
     }
 
     /// Trace.
-    ///
-    /// WGSL: `lobe_psd_trace`.
+    #[doc(alias = "lobe_psd_trace")]
     pub fn trace(&self) -> R {
         self.xx + self.yy
     }
 
     /// True if the smaller eigenvalue is no number of this precision: a mirror along some axis.
-    ///
-    /// WGSL: `lobe_psd_is_singular`.
+    #[doc(alias = "lobe_psd_is_singular")]
     #[inline(always)]
     pub fn is_singular(&self) -> bool {
         let minor = self.root_det * (self.root_det / self.trace().max(R::MIN_POSITIVE)).kept();
@@ -200,8 +192,7 @@ impl<R: Real> Psd<R> {
     }
 
     /// $w^T M w$, as a sum of squares: exact to a few ulp even along the minor axis.
-    ///
-    /// WGSL: `lobe_psd_quadratic`.
+    #[doc(alias = "lobe_psd_quadratic")]
     pub fn quadratic(&self, w: [R; 2]) -> R {
         if self.xx < R::MIN_POSITIVE {
             return self.yy * w[1] * w[1];
@@ -218,8 +209,7 @@ impl<R: Real> Psd<R> {
     /// assert_eq!(Psd::new(4.0, 2.0, 2.0)?.cholesky(), [2.0_f64, 1.0, 1.0]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_psd_cholesky`.
+    #[doc(alias = "lobe_psd_cholesky")]
     pub fn cholesky(&self) -> [R; 3] {
         if self.xx < R::MIN_POSITIVE {
             return [R::ZERO, R::ZERO, self.yy.sqrt()];
@@ -229,8 +219,7 @@ impl<R: Real> Psd<R> {
     }
 
     /// Eigenvalues and major axis.
-    ///
-    /// WGSL: `lobe_psd_eigen`.
+    #[doc(alias = "lobe_psd_eigen")]
     pub fn eigen(&self) -> Eigen<R> {
         let (major, axis) = principal(self.xx, self.xy, self.yy);
         let minor = self.root_det * (self.root_det / major.max(R::MIN_POSITIVE)).kept();
@@ -239,8 +228,7 @@ impl<R: Real> Psd<R> {
     }
 
     /// The matrix with both eigenvalues limited to `limit`; the axes stay. A negative limit counts as 0.
-    ///
-    /// WGSL: `lobe_psd_capped`.
+    #[doc(alias = "lobe_psd_capped")]
     #[must_use]
     pub fn capped(&self, limit: R) -> Self {
         let limit = limit.max(R::ZERO);
@@ -256,8 +244,6 @@ impl<R: Real> Mul<R> for Psd<R> {
     type Output = Self;
 
     /// The matrix times a factor; a negative one counts as 0.
-    ///
-    /// WGSL: `lobe_psd_mul`.
     #[inline]
     fn mul(self, factor: R) -> Self {
         let factor = factor.max(R::ZERO);
@@ -277,8 +263,6 @@ impl<R: Real> Add for Psd<R> {
     ///
     /// $\det(A + B) = \det A + \mathrm{tr}(\mathrm{adj}(A)\, B) + \det B$, every term non-negative:
     /// nothing cancels when a small round lobe meets a long thin kernel.
-    ///
-    /// WGSL: `lobe_psd_add`.
     #[inline]
     fn add(self, other: Self) -> Self {
         let det = self.det() + self.mixed_det(&other) + other.det();

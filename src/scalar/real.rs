@@ -57,74 +57,54 @@ pub trait Real:
     const LARGEST: Self;
 
     /// The literal `x`, rounded to this precision.
-    ///
-    /// WGSL: none, literals there.
     fn lit(x: f64) -> Self;
     /// This number as f64 (exact).
-    ///
-    /// WGSL: none, no f64 there.
     fn to_f64(self) -> f64;
     /// Square root, correctly rounded.
-    ///
-    /// WGSL: none, a builtin there.
     fn sqrt(self) -> Self;
     /// Absolute value.
-    ///
-    /// WGSL: none, a builtin there.
     fn abs(self) -> Self;
     /// The smaller of two numbers, `other` if `self` is NaN: one instruction, unlike `f32::min`.
-    ///
-    /// WGSL: `lobe_min`.
+    #[doc(alias = "lobe_min")]
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         if self < other { self } else { other }
     }
     /// The larger of two numbers, `other` if `self` is NaN.
-    ///
-    /// WGSL: `lobe_max`.
+    #[doc(alias = "lobe_max")]
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
     /// True unless infinite or NaN.
-    ///
-    /// WGSL: `lobe_is_finite`.
+    #[doc(alias = "lobe_is_finite")]
     #[inline(always)]
     fn is_finite(self) -> bool {
         self.abs() <= Self::MAX
     }
     /// Sine and cosine (for constructors: computed in f64, then rounded).
-    ///
-    /// WGSL: none, a builtin may miss by 2^-11 there; only constructors use them.
     fn sin_cos(self) -> (Self, Self);
     /// $e^x$; 0 below the smallest number, infinity above the largest.
-    ///
-    /// WGSL: `lobe_exp`.
+    #[doc(alias = "lobe_exp")]
     fn exp(self) -> Self;
     /// Natural logarithm; minus infinity at 0, NaN below.
-    ///
-    /// WGSL: `lobe_ln`.
+    #[doc(alias = "lobe_ln")]
     fn ln(self) -> Self;
     /// Arctangent in $[-\pi/2, \pi/2]$.
-    ///
-    /// WGSL: `lobe_atan`.
+    #[doc(alias = "lobe_atan")]
     fn atan(self) -> Self;
     /// Angle of the point (`x`, `self`) in $[-\pi, \pi]$; 0 at the origin.
-    ///
-    /// WGSL: `lobe_atan_of`.
+    #[doc(alias = "lobe_atan_of")]
     fn atan2(self, x: Self) -> Self;
     /// Complementary error function $2/\sqrt\pi \int_x^\infty e^{-t^2} dt$.
-    ///
-    /// WGSL: `lobe_erfc`.
+    #[doc(alias = "lobe_erfc")]
     fn erfc(self) -> Self;
     /// Scaled complementary error function $e^{x^2} \mathrm{erfc}(x)$, for $x \ge 0$.
-    ///
-    /// WGSL: `lobe_erfcx`.
+    #[doc(alias = "lobe_erfcx")]
     fn erfcx(self) -> Self;
     /// Scaled first integral of erfc, $1/\sqrt\pi - x\,\mathrm{erfcx}(x)$, for $x \ge 0$, without
     /// the cancellation of that difference.
-    ///
-    /// WGSL: `lobe_ierfcx`.
+    #[doc(alias = "lobe_ierfcx")]
     fn ierfcx(self) -> Self;
 }
 

@@ -40,8 +40,6 @@ impl<R: Real> GlintMaterial<R> {
     /// The material as a pixel sees it: over the moments of a normal map, under the kernel of the half vector's motion.
     ///
     /// Zero moments and a zero kernel leave the material as it is.
-    ///
-    /// WGSL: none, `lobe_glints_ndf`, `lobe_glint_ndf_over` and `lobe_glint_ndf_widened` there.
     #[inline]
     pub fn bake(
         &self,
@@ -63,16 +61,13 @@ pub struct GlintShading<R: Real> {
 
 impl<R: Real> GlintShading<R> {
     /// The density under the pixel.
-    ///
-    /// WGSL: none, an argument there.
     pub fn ndf(&self) -> &GlintNdf<R> {
         &self.ndf
     }
 
     /// Radiance towards `wo` per unit of radiance and solid angle from `wi`, where a light appears with this radius in
     /// radians: $F f c_i$ per channel, as [`Shading::evaluate`](super::Shading::evaluate).
-    ///
-    /// WGSL: `lobe_glint_evaluate`.
+    #[doc(alias = "lobe_glint_evaluate")]
     #[inline]
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>, radius: R) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
@@ -96,8 +91,7 @@ impl<R: Real> GlintShading<R> {
     /// assert!(shading.evaluate_colored(wo, wi, 0.0, hue_wheel).iter().all(|x| *x >= 0.0));
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_glint_evaluate_colored`, with the hue wheel.
+    #[doc(alias = "lobe_glint_evaluate_colored")]
     pub fn evaluate_colored(
         &self,
         wo: impl Into<[R; 3]>,

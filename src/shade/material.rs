@@ -41,8 +41,6 @@ pub struct Material<D, R> {
 
 impl<R: Real> Material<GgxDistribution, R> {
     /// A GGX material.
-    ///
-    /// WGSL: none, its arguments are passed one by one there.
     pub fn ggx(lobe: Lobe<R>, fresnel: Fresnel<R>) -> Self {
         Self { lobe, fresnel, distribution: PhantomData }
     }
@@ -58,8 +56,6 @@ impl<R: Real> Material<BeckmannDistribution, R> {
     /// assert_eq!(shading.evaluate([0.0, 0.0, 1.0], [0.6, 0.0, -0.8]), [0.0; 3]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, its arguments are passed one by one there.
     pub fn beckmann(lobe: Lobe<R>, fresnel: Fresnel<R>) -> Self {
         Self { lobe, fresnel, distribution: PhantomData }
     }
@@ -69,16 +65,13 @@ impl<D: Distribution, R: Real> Material<D, R> {
     /// The material as a pixel with this kernel sees it: its lobe widened, ready for any number of lights.
     ///
     /// Exact for Beckmann, variance addition for GGX ([`Roughness::widened`](crate::Roughness::widened)).
-    ///
-    /// WGSL: `lobe_material_bake`.
+    #[doc(alias = "lobe_material_bake")]
     #[inline]
     pub fn bake(&self, kernel: &Kernel<R>) -> Shading<D, R> {
         Shading::new(&self.lobe.widened(kernel), self.fresnel)
     }
 
     /// The material as it is.
-    ///
-    /// WGSL: none, `lobe_lobe_shape` there.
     #[inline]
     pub fn unfiltered(&self) -> Shading<D, R> {
         Shading::new(&self.lobe, self.fresnel)
@@ -99,8 +92,6 @@ impl<D: Distribution, R: Real> Shading<D, R> {
     }
 
     /// The distribution underneath.
-    ///
-    /// WGSL: none, an argument there.
     #[inline]
     pub fn ndf(&self) -> &Ndf<D, NonCentered<Anisotropic<R>>> {
         &self.ndf
@@ -111,8 +102,8 @@ impl<D: Distribution, R: Real> Shading<D, R> {
     /// $f$ is [`Ndf::brdf`], $c_i$ the cosine of `wi`, for a tilted lobe the projected area of its mean
     /// plane. Multiply by the light's radiance and solid angle. `wo`, `wi`: unit, tangent frame. 0 where
     /// either lies below the horizon.
-    ///
-    /// WGSL: `lobe_ggx_evaluate`, `lobe_beckmann_evaluate`.
+    #[doc(alias = "lobe_ggx_evaluate")]
+    #[doc(alias = "lobe_beckmann_evaluate")]
     #[inline]
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
@@ -148,8 +139,7 @@ impl<R: Real> Shading<GgxDistribution, R> {
     /// assert!(wide[0] < shading.evaluate(wo, wi)[0]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_ggx_evaluate_over`.
+    #[doc(alias = "lobe_ggx_evaluate_over")]
     #[inline]
     pub fn evaluate_over(
         &self,
@@ -167,8 +157,6 @@ impl<R: Real> Shading<GgxDistribution, R> {
 ///
 /// # Errors
 /// [`Error::Length`] unless the slices have one length; nothing is then written.
-///
-/// WGSL: none, a dispatch is the loop there.
 pub fn bake_all<D: Distribution, R: Real>(
     materials: &[Material<D, R>],
     kernels: &[Kernel<R>],
@@ -201,8 +189,6 @@ pub fn bake_all<D: Distribution, R: Real>(
 /// assert_eq!(short, Err(lobe::Error::Length { expected: 2, found: 1 }));
 /// # Ok::<(), lobe::Error>(())
 /// ```
-///
-/// WGSL: none, a dispatch is the loop there.
 pub fn evaluate_all<D: Distribution, R: Real>(
     shadings: &[Shading<D, R>],
     wo: &[[R; 3]],

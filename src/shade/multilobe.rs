@@ -43,8 +43,6 @@ impl<R: Real> MultiLobeMaterial<R> {
     /// It is shaded in the frame of the map's mean, as no masking of V-cavities with another mean is known: from there the
     /// map's covariance is seen ([`PatchNdf::over`]), and there the kernel's half vectors are to be taken, too. Zero
     /// moments and a zero kernel leave the material as it is.
-    ///
-    /// WGSL: none, `lobe_multi_lobe_ndf`, `lobe_patch_ndf_over` and `lobe_patch_ndf_widened` there.
     #[inline]
     pub fn bake<'a>(
         &self,
@@ -69,15 +67,11 @@ pub struct MultiLobeShading<'a, R: Real> {
 
 impl<'a, R: Real> MultiLobeShading<'a, R> {
     /// The lobe underneath, in the frame of the mean.
-    ///
-    /// WGSL: none, an argument there.
     pub fn ndf(&self) -> &PatchNdf<'a, R> {
         &self.ndf
     }
 
     /// The frame that it is shaded in.
-    ///
-    /// WGSL: none, an argument there.
     pub fn frame(&self) -> &MeanFrame<R> {
         &self.frame
     }
@@ -85,8 +79,7 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
     /// Radiance towards `wo` per unit of radiance and solid angle from `wi`: $F f c_i$ per channel, as
     /// [`Shading::evaluate`](super::Shading::evaluate), with the light's cosine to the mean normal. Directions in the tangent
     /// frame.
-    ///
-    /// WGSL: `lobe_patch_ndf_evaluate`.
+    #[doc(alias = "lobe_patch_ndf_evaluate")]
     #[inline]
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
@@ -114,16 +107,12 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
     /// assert!((shading.pdf(wo, drawn.wi) - drawn.pdf).abs() <= 1e-9 * drawn.pdf);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, `lobe_patch_ndf_sample` between `lobe_mean_frame_to_local` and `lobe_mean_frame_to_tangent` there.
     pub fn sample(&self, wo: impl Into<[R; 3]>, u: [R; 7]) -> Option<DirectionSample<R>> {
         let drawn = self.ndf.sample(self.frame.to_local(wo), u)?;
         Some(DirectionSample { wi: self.frame.to_tangent(drawn.wi), ..drawn })
     }
 
     /// Density over solid angle with which [`MultiLobeShading::sample`] draws `wi`, for other ways of drawing it beside this one.
-    ///
-    /// WGSL: none, `lobe_patch_ndf_pdf` after `lobe_mean_frame_to_local` there.
     pub fn pdf(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> R {
         self.ndf.pdf(self.frame.to_local(wo), self.frame.to_local(wi))
     }

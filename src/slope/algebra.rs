@@ -27,8 +27,6 @@ impl<R: Real> Add for SlopeMoments<R> {
     /// assert!((both.covariance().entries()[0] - 0.25).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_slope_moments_add`.
     fn add(self, other: Self) -> Self {
         let ([x, y], [p, q]) = (self.mean(), other.mean());
         Self::bounded([x + p, y + q], self.covariance() + other.covariance())
@@ -45,8 +43,6 @@ impl<R: Real> Mul<R> for SlopeMoments<R> {
     /// assert_eq!(relief.mean(), [-0.2, 0.4]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_slope_moments_mul`.
     fn mul(self, factor: R) -> Self {
         let factor = within(factor, R::LARGEST);
         let [x, y] = self.mean();
@@ -74,8 +70,7 @@ impl<R: Real> SlopeMoments<R> {
     /// assert!(flat.covariance().trace() < 1e-14);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_slope_moments_plus_correlated`.
+    #[doc(alias = "lobe_slope_moments_plus_correlated")]
     #[must_use]
     pub fn plus_correlated(&self, other: &Self, cross: Matrix<R>) -> Self {
         let kept = |x: R| within(x, R::LARGEST * R::LARGEST);
@@ -98,8 +93,7 @@ impl<R: Real> SlopeMoments<R> {
     /// assert_eq!(a.cross_covariance(&b, [[0.0, 1.0], [0.0, 0.0]]), [[0.0; 2]; 2]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_slope_moments_cross_covariance`.
+    #[doc(alias = "lobe_slope_moments_cross_covariance")]
     pub fn cross_covariance(&self, other: &Self, moment: Matrix<R>) -> Matrix<R> {
         let (a, b) = (self.mean(), other.mean());
         let central = |m: R, p: R, q: R| difference_of_products(m, R::ONE, p, q);
@@ -119,8 +113,7 @@ impl<R: Real> SlopeMoments<R> {
     /// assert_eq!(leaning.mean(), [0.5, 1.0]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_slope_moments_tilted`.
+    #[doc(alias = "lobe_slope_moments_tilted")]
     pub fn tilted(&self, slope: impl Into<[R; 2]>) -> Result<Self, Error> {
         Ok(*self + Self::of_slope(slope)?)
     }
@@ -139,8 +132,7 @@ impl<R: Real> SlopeMoments<R> {
     /// assert!((quarter_turn.covariance().entries()[2] - 0.16).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_slope_moments_transformed`.
+    #[doc(alias = "lobe_slope_moments_transformed")]
     #[must_use]
     pub fn transformed(&self, matrix: Matrix<R>) -> Self {
         let matrix = matrix.map(|row| row.map(|x| within(x, R::LARGEST)));
@@ -164,8 +156,6 @@ impl<R: Real> SlopeMoments<R> {
     /// assert!((turned.mean()[1] - 0.5).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, shaders have axes, not angles: `lobe_slope_moments_transformed` takes them.
     pub fn rotated(&self, angle: R) -> Result<Self, Error> {
         if !angle.is_finite() {
             return Err(Error::Angle(angle.into()));

@@ -15,8 +15,8 @@ use crate::scalar::exact::add_products;
 /// let h = lobe::slope::direction::half_vector([0.6_f32, 0.0, 0.8], [-0.6, 0.0, 0.8]);
 /// assert_eq!(h, [0.0, 0.0, 1.0]);
 /// ```
-///
-/// WGSL: `lobe_half_vector`.
+#[doc(alias = "h")]
+#[doc(alias = "lobe_half_vector")]
 pub fn half_vector<R: Real>(wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R; 3] {
     let (wo, wi) = (wo.into(), wi.into());
     normalize([wo[0] + wi[0], wo[1] + wi[1], wo[2] + wi[2]])
@@ -27,8 +27,7 @@ pub fn half_vector<R: Real>(wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R;
 /// ```
 /// assert_eq!(lobe::slope::direction::normalize([0.0_f64, 3.0, 4.0]), [0.0, 0.6, 0.8]);
 /// ```
-///
-/// WGSL: `lobe_normalize`.
+#[doc(alias = "lobe_normalize")]
 pub fn normalize<R: Real>(v: impl Into<[R; 3]>) -> [R; 3] {
     let v = v.into();
     // Scaled by the largest component, as squares leave the range of f32 beyond 1e19 and 1e-19.
@@ -55,8 +54,7 @@ pub(crate) fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
 /// ```
 /// assert_eq!(lobe::slope::direction::slope_of([0.3_f64, 0.0, 0.6]), [-0.5, 0.0]);
 /// ```
-///
-/// WGSL: `lobe_slope_of`.
+#[doc(alias = "lobe_slope_of")]
 #[inline(always)]
 pub fn slope_of<R: Real>(m: impl Into<[R; 3]>) -> [R; 2] {
     let m = m.into();
@@ -69,8 +67,7 @@ pub fn slope_of<R: Real>(m: impl Into<[R; 3]>) -> [R; 2] {
 /// let m = lobe::slope::direction::normal_of([-0.75_f64, 0.0]);
 /// assert!((m[0] - 0.6).abs() < 1e-15 && m[1] == 0.0 && (m[2] - 0.8).abs() < 1e-15);
 /// ```
-///
-/// WGSL: `lobe_normal_of`.
+#[doc(alias = "lobe_normal_of")]
 pub fn normal_of<R: Real>(slope: impl Into<[R; 2]>) -> [R; 3] {
     let s = slope.into();
     let inverse = R::ONE / (R::ONE + s[0] * s[0] + s[1] * s[1]).sqrt();
@@ -85,8 +82,7 @@ pub fn normal_of<R: Real>(slope: impl Into<[R; 2]>) -> [R; 3] {
 /// ```
 /// assert_eq!(lobe::slope::direction::from_disk([0.6_f64, 0.0]), [0.6, 0.0, 0.8]);
 /// ```
-///
-/// WGSL: `lobe_from_disk`.
+#[doc(alias = "lobe_from_disk")]
 pub fn from_disk<R: Real>(point: impl Into<[R; 2]>) -> [R; 3] {
     let [x, y] = point.into();
     [x, y, add_products(R::ONE, -x, x, -y, y).max(R::ZERO).sqrt()]
@@ -98,8 +94,7 @@ pub fn from_disk<R: Real>(point: impl Into<[R; 2]>) -> [R; 3] {
 /// let wi = lobe::slope::direction::reflect([0.6_f32, 0.0, 0.8], [0.0, 0.0, 1.0]);
 /// assert_eq!(wi, [-0.6, 0.0, 0.8]);
 /// ```
-///
-/// WGSL: `lobe_reflect`.
+#[doc(alias = "lobe_reflect")]
 pub fn reflect<R: Real>(w: impl Into<[R; 3]>, m: impl Into<[R; 3]>) -> [R; 3] {
     let (w, m) = (w.into(), m.into());
     let twice = R::TWO * dot(w, m);

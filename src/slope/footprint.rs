@@ -19,6 +19,9 @@ use core::ops::{Mul, Sub};
 /// let footprint = Footprint::from_slopes([0.02_f32, 0.0], [0.01, 0.03]);
 /// assert_eq!(footprint.extents(), [0.03, 0.03]);
 /// ```
+#[doc(alias = "LobeFootprint")]
+#[doc(alias = "lobe_footprint_mul")]
+#[doc(alias = "lobe_footprint_sub")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Footprint<R> {
     /// Derivative along the screen's first axis, slope per pixel.
@@ -29,16 +32,14 @@ pub struct Footprint<R> {
 
 impl<R: Real> Footprint<R> {
     /// From two derivative vectors in slope space (Kaplanyan et al. 2016, section 4.2).
-    ///
-    /// WGSL: `lobe_footprint_from_slopes`.
+    #[doc(alias = "lobe_footprint_from_slopes")]
     #[inline]
     pub fn from_slopes(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Self {
         Self { u: u.into(), v: v.into() }
     }
 
     /// A rectangle along the axes, of these full widths.
-    ///
-    /// WGSL: `lobe_footprint_rectangle`.
+    #[doc(alias = "lobe_footprint_rectangle")]
     #[inline]
     pub fn rectangle(widths: impl Into<[R; 2]>) -> Self {
         let [x, y] = widths.into();
@@ -55,8 +56,7 @@ impl<R: Real> Footprint<R> {
     /// let footprint = Footprint::from_disk([0.0_f32, 0.0, 1.0], [0.01, 0.0], [0.0, 0.01]);
     /// assert_eq!(footprint.extents(), [0.01, 0.01]);
     /// ```
-    ///
-    /// WGSL: `lobe_footprint_from_disk`.
+    #[doc(alias = "lobe_footprint_from_disk")]
     pub fn from_disk(h: impl Into<[R; 3]>, u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Self {
         let [x, y, z] = h.into();
         let jacobian = disk_to_slope([x, y, z.max(R::ONE / R::LARGEST)]);
@@ -67,8 +67,7 @@ impl<R: Real> Footprint<R> {
     ///
     /// Not a change of variables but a deliberate narrowing at grazing half vectors, where quad
     /// differences are noise. Source: Tokuyoshi 2017, Eq. 7.
-    ///
-    /// WGSL: `lobe_footprint_from_disk_narrowed`.
+    #[doc(alias = "lobe_footprint_from_disk_narrowed")]
     pub fn from_disk_narrowed(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Self {
         Self::from_slopes(u, v)
     }
@@ -89,8 +88,7 @@ impl<R: Real> Footprint<R> {
     /// assert_eq!(f.extents(), [0.1, 0.2]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_footprint_from_half_vectors`.
+    #[doc(alias = "lobe_footprint_from_half_vectors")]
     #[inline]
     pub fn from_half_vectors(
         h: impl Into<[R; 3]>,
@@ -107,8 +105,7 @@ impl<R: Real> Footprint<R> {
 
     /// From steps of the surface point in its tangent plane, one per pixel axis, and the matrix M of
     /// [`Path::slope_jacobian`](super::Path::slope_jacobian) (Kaplanyan et al. 2016, Eq. 5).
-    ///
-    /// WGSL: `lobe_footprint_from_positions`.
+    #[doc(alias = "lobe_footprint_from_positions")]
     pub fn from_positions(
         slope_jacobian: Matrix<R>,
         u: impl Into<[R; 2]>,
@@ -120,15 +117,13 @@ impl<R: Real> Footprint<R> {
     /// Full widths of the bounding rectangle along the slope axes, $|u| + |v|$ per axis.
     ///
     /// Source: Kaplanyan et al. 2016, section 5.3.
-    ///
-    /// WGSL: `lobe_footprint_extents`.
+    #[doc(alias = "lobe_footprint_extents")]
     pub fn extents(&self) -> [R; 2] {
         [self.u[0].abs() + self.v[0].abs(), self.u[1].abs() + self.v[1].abs()]
     }
 
     /// The bounding rectangle as a footprint: wider than the parallelogram, and stable.
-    ///
-    /// WGSL: `lobe_footprint_bounding`.
+    #[doc(alias = "lobe_footprint_bounding")]
     #[must_use]
     pub fn bounding(&self) -> Self {
         Self::rectangle(self.extents())
@@ -143,8 +138,7 @@ impl<R: Real> Footprint<R> {
     /// let grazing = Footprint::from_slopes([9.0_f64, 0.1], [0.5, 0.1]);
     /// assert_eq!(grazing.bounding_within(Footprint::<f64>::WIDTH_LIMIT).extents(), [1.0, 0.2]);
     /// ```
-    ///
-    /// WGSL: `lobe_footprint_bounding_within`.
+    #[doc(alias = "lobe_footprint_bounding_within")]
     #[must_use]
     pub fn bounding_within(&self, limit: R) -> Self {
         Self::rectangle(self.extents().map(|width| width.min(limit.max(R::ZERO))))
@@ -154,8 +148,7 @@ impl<R: Real> Footprint<R> {
     pub const WIDTH_LIMIT: f64 = 1.0;
 
     /// Length of the longer diagonal.
-    ///
-    /// WGSL: `lobe_footprint_diameter`.
+    #[doc(alias = "lobe_footprint_diameter")]
     pub fn diameter(&self) -> R {
         let length = |x: R, y: R| {
             let scale = x.abs().max(y.abs()).max(R::MIN_POSITIVE);
@@ -171,8 +164,7 @@ impl<R: Real> Footprint<R> {
     ///
     /// Kaplanyan et al. 2016, section 5.2, limit the extents to lambda = 1. Theirs are measured along
     /// the frame's axes; the diameter does not depend on the frame.
-    ///
-    /// WGSL: `lobe_footprint_capped`.
+    #[doc(alias = "lobe_footprint_capped")]
     #[must_use]
     pub fn capped(&self, limit: R) -> Self {
         let (diameter, limit) = (self.diameter(), limit.max(R::ZERO));
@@ -212,8 +204,7 @@ impl<R: Real> Footprint<R> {
     }
 
     /// Area of the parallelogram, in squared slope units.
-    ///
-    /// WGSL: `lobe_footprint_area`.
+    #[doc(alias = "lobe_footprint_area")]
     pub fn area(&self) -> R {
         cross(self.u, self.v).abs()
     }
@@ -233,8 +224,6 @@ impl<R: Real> Mul<R> for Footprint<R> {
     /// let shaded = Footprint::rectangle([0.1_f32, 0.2]);
     /// assert_eq!((shaded * 0.5).extents(), [0.05, 0.1]); // four shaded samples a pixel
     /// ```
-    ///
-    /// WGSL: `lobe_footprint_mul`.
     #[inline]
     fn mul(self, factor: R) -> Self {
         Self { u: self.u.map(|x| x * factor), v: self.v.map(|x| x * factor) }
@@ -257,8 +246,6 @@ impl<R: Real> Sub for Footprint<R> {
     /// let footprint = Footprint::from_slopes([0.25_f32, 0.0], [0.0, 0.5]);
     /// assert_eq!((footprint - Footprint::from_slopes([0.25, 0.0], [0.0, 0.5])).area(), 0.0);
     /// ```
-    ///
-    /// WGSL: `lobe_footprint_sub`.
     #[inline]
     fn sub(self, other: Self) -> Self {
         let (a, b) = (self, other);

@@ -29,8 +29,7 @@ fn azimuth<R: Real>(h: [R; 3]) -> (R, R) {
 /// let det = j[0][0] * j[1][1] - j[0][1] * j[1][0];
 /// assert!((det - 0.8_f64.powi(-3)).abs() < 1e-12);
 /// ```
-///
-/// WGSL: `lobe_sphere_to_slope`.
+#[doc(alias = "lobe_sphere_to_slope")]
 pub fn sphere_to_slope<R: Real>(h: impl Into<[R; 3]>) -> Matrix<R> {
     let h = h.into();
     let (cos, sin) = azimuth(h);
@@ -49,8 +48,7 @@ pub fn sphere_to_slope<R: Real>(h: impl Into<[R; 3]>) -> Matrix<R> {
 /// let j = lobe::slope::jacobian::sphere_to_disk([0.6_f64, 0.0, 0.8]);
 /// assert_eq!(j, [[0.8, -0.0], [0.0, 1.0]]);
 /// ```
-///
-/// WGSL: `lobe_sphere_to_disk`.
+#[doc(alias = "lobe_sphere_to_disk")]
 pub fn sphere_to_disk<R: Real>(h: impl Into<[R; 3]>) -> Matrix<R> {
     let h = h.into();
     let (cos, sin) = azimuth(h);
@@ -69,8 +67,7 @@ pub fn sphere_to_disk<R: Real>(h: impl Into<[R; 3]>) -> Matrix<R> {
 /// let j = lobe::slope::jacobian::disk_to_slope([0.0_f64, 0.0, 1.0]);
 /// assert_eq!(j, [[-1.0, -0.0], [-0.0, -1.0]]);
 /// ```
-///
-/// WGSL: `lobe_disk_to_slope`.
+#[doc(alias = "lobe_disk_to_slope")]
 pub fn disk_to_slope<R: Real>(h: impl Into<[R; 3]>) -> Matrix<R> {
     let [x, y, z] = h.into();
     let inverse_cube = R::ONE / (z * z * z);
@@ -85,8 +82,7 @@ pub fn disk_to_slope<R: Real>(h: impl Into<[R; 3]>) -> Matrix<R> {
 /// ```
 /// assert_eq!(lobe::slope::jacobian::slope_per_normal([0.0_f32, 0.0, 1.0]), 1.0);
 /// ```
-///
-/// WGSL: `lobe_slope_per_normal`.
+#[doc(alias = "lobe_slope_per_normal")]
 pub fn slope_per_normal<R: Real>(m: impl Into<[R; 3]>) -> R {
     let m = m.into();
     R::ONE / (m[2] * m[2] * m[2])
@@ -100,8 +96,7 @@ pub fn slope_per_normal<R: Real>(m: impl Into<[R; 3]>) -> R {
 /// let n = [0.0_f32, 0.0, 1.0];
 /// assert_eq!(lobe::slope::jacobian::reflection_per_normal(n, n), 4.0);
 /// ```
-///
-/// WGSL: `lobe_reflection_per_normal`.
+#[doc(alias = "lobe_reflection_per_normal")]
 pub fn reflection_per_normal<R: Real>(wm: impl Into<[R; 3]>, wo: impl Into<[R; 3]>) -> R {
     R::lit(4.0) * super::direction::dot(wm.into(), wo.into()).abs()
 }
@@ -112,8 +107,7 @@ pub fn reflection_per_normal<R: Real>(wm: impl Into<[R; 3]>, wo: impl Into<[R; 3
 /// let m = [[1.0_f32, 2.0], [3.0, 4.0]];
 /// assert_eq!(lobe::slope::jacobian::apply(m, [1.0, 1.0]), [3.0, 7.0]);
 /// ```
-///
-/// WGSL: `lobe_jacobian_apply`.
+#[doc(alias = "lobe_jacobian_apply")]
 pub fn apply<R: Real>(m: Matrix<R>, v: impl Into<[R; 2]>) -> [R; 2] {
     let v = v.into();
     [m[0][0] * v[0] + m[0][1] * v[1], m[1][0] * v[0] + m[1][1] * v[1]]

@@ -19,6 +19,7 @@ use crate::scalar::Real;
 /// assert!(ndf.slope_pdf([0.1, 0.0]) > ndf.slope_pdf([0.0, 0.0]));
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobeLobe")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lobe<R> {
     mean: [R; 2],
@@ -30,36 +31,28 @@ impl<R: Real> Lobe<R> {
     ///
     /// # Errors
     /// [`Error::Mean`] unless both components lie in $[-10^9, 10^9]$.
-    ///
-    /// WGSL: `lobe_lobe_new`.
+    #[doc(alias = "lobe_lobe_new")]
     pub fn new(mean: impl Into<[R; 2]>, roughness: Roughness<R>) -> Result<Self, Error> {
         Ok(Self { mean: checked_slope(mean)?, roughness })
     }
 
     /// A lobe around the normal.
-    ///
-    /// WGSL: `lobe_lobe_centered`.
+    #[doc(alias = "lobe_lobe_centered")]
     pub fn centered(roughness: Roughness<R>) -> Self {
         Self { mean: [R::ZERO; 2], roughness }
     }
 
     /// The mean slope.
-    ///
-    /// WGSL: none, a field there.
     pub fn mean(&self) -> [R; 2] {
         self.mean
     }
 
     /// The roughness.
-    ///
-    /// WGSL: none, a field there.
     pub fn roughness(&self) -> Roughness<R> {
         self.roughness
     }
 
     /// The same mean with another roughness.
-    ///
-    /// WGSL: none, `Lobe(lobe.mean, roughness)` there.
     #[must_use]
     pub fn with_roughness(&self, roughness: Roughness<R>) -> Self {
         Self { roughness, ..*self }
@@ -71,8 +64,7 @@ impl<R: Real> Lobe<R> {
     }
 
     /// The shape that distributions take: any A, any mean.
-    ///
-    /// WGSL: `lobe_lobe_shape`.
+    #[doc(alias = "lobe_lobe_shape")]
     pub fn shape(&self) -> NonCentered<Anisotropic<R>> {
         NonCentered::unchecked(Anisotropic::new(self.roughness), self.mean)
     }

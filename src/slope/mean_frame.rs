@@ -22,6 +22,7 @@ use crate::scalar::Real;
 /// assert!((xx - 0.8_f64.powi(4)).abs() < 1e-12 && xy == 0.0 && (yy - 0.64).abs() < 1e-12);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobeMeanFrame")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeanFrame<R> {
     /// Its axes, in the tangent frame: x, y, and the normal.
@@ -30,8 +31,7 @@ pub struct MeanFrame<R> {
 
 impl<R: Real> MeanFrame<R> {
     /// About this mean slope, with components in $[-10^9, 10^9]$.
-    ///
-    /// WGSL: `lobe_mean_frame_of`.
+    #[doc(alias = "lobe_mean_frame_of")]
     #[inline]
     pub fn of(mean: impl Into<[R; 2]>) -> Self {
         let normal = normal_of(mean);
@@ -49,8 +49,7 @@ impl<R: Real> MeanFrame<R> {
     }
 
     /// A direction of the tangent frame, in this one.
-    ///
-    /// WGSL: `lobe_mean_frame_to_local`.
+    #[doc(alias = "lobe_mean_frame_to_local")]
     #[inline]
     pub fn to_local(&self, w: impl Into<[R; 3]>) -> [R; 3] {
         let w = w.into();
@@ -64,8 +63,7 @@ impl<R: Real> MeanFrame<R> {
     /// let back = frame.to_tangent(frame.to_local([0.6, 0.0, 0.8]));
     /// assert!((back[0] - 0.6).abs() < 1e-15 && back[1].abs() < 1e-15 && (back[2] - 0.8).abs() < 1e-15);
     /// ```
-    ///
-    /// WGSL: `lobe_mean_frame_to_tangent`.
+    #[doc(alias = "lobe_mean_frame_to_tangent")]
     #[inline]
     pub fn to_tangent(&self, w: impl Into<[R; 3]>) -> [R; 3] {
         let w = w.into();
@@ -77,8 +75,7 @@ impl<R: Real> MeanFrame<R> {
     /// y_y \end{pmatrix}$ of the axes x and y, c being the cosine of the tilt.
     ///
     /// Along the tilt $c^2$, across it c; $\det = c^3$.
-    ///
-    /// WGSL: `lobe_mean_frame_jacobian`.
+    #[doc(alias = "lobe_mean_frame_jacobian")]
     #[inline]
     pub fn jacobian(&self) -> Matrix<R> {
         let [x, y, [_, _, c]] = self.axes;
@@ -88,8 +85,7 @@ impl<R: Real> MeanFrame<R> {
     /// Moments about their mean in this frame, to first order: mean 0, $J \Sigma J^T$.
     ///
     /// Source: in place of Chermain, Lucas et al. 2021, section 5, who take over the covariance as it is.
-    ///
-    /// WGSL: `lobe_mean_frame_moments`.
+    #[doc(alias = "lobe_mean_frame_moments")]
     #[must_use]
     #[inline]
     pub fn moments(&self, moments: &SlopeMoments<R>) -> SlopeMoments<R> {

@@ -21,6 +21,9 @@ use crate::scalar::{Psd, Real};
 /// assert!((lobe.roughness().alphas().major - (0.0025_f64 + 0.02).sqrt()).abs() < 1e-15);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobeSlopeMoments")]
+#[doc(alias = "lobe_slope_moments_add")]
+#[doc(alias = "lobe_slope_moments_mul")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SlopeMoments<R> {
     mean: [R; 2],
@@ -32,8 +35,7 @@ impl<R: Real> SlopeMoments<R> {
     ///
     /// # Errors
     /// [`Error::Mean`] unless both components lie in $[-10^9, 10^9]$.
-    ///
-    /// WGSL: `lobe_slope_moments_new`.
+    #[doc(alias = "lobe_slope_moments_new")]
     pub fn new(mean: impl Into<[R; 2]>, covariance: Psd<R>) -> Result<Self, Error> {
         Ok(Self { mean: checked_slope(mean)?, covariance })
     }
@@ -48,8 +50,7 @@ impl<R: Real> SlopeMoments<R> {
     ///
     /// # Errors
     /// [`Error::Mean`], as [`SlopeMoments::new`].
-    ///
-    /// WGSL: `lobe_slope_moments_of_slope`.
+    #[doc(alias = "lobe_slope_moments_of_slope")]
     pub fn of_slope(slope: impl Into<[R; 2]>) -> Result<Self, Error> {
         Self::new(slope, Psd::zero())
     }
@@ -70,8 +71,7 @@ impl<R: Real> SlopeMoments<R> {
     /// assert!((m.covariance().entries()[0] - 0.01).abs() < 1e-7);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_slope_moments_from_raw`.
+    #[doc(alias = "lobe_slope_moments_from_raw")]
     pub fn from_raw(mean: impl Into<[R; 2]>, second: [R; 3]) -> Result<Self, Error> {
         let [x, y] = mean.into();
         if let Some(&beyond) = second.iter().find(|m| !(m.abs() <= R::LARGEST * R::LARGEST)) {
@@ -89,15 +89,11 @@ impl<R: Real> SlopeMoments<R> {
     }
 
     /// The mean slope.
-    ///
-    /// WGSL: none, a field there.
     pub fn mean(&self) -> [R; 2] {
         self.mean
     }
 
     /// The covariance of the slopes.
-    ///
-    /// WGSL: none, a field there.
     pub fn covariance(&self) -> Psd<R> {
         self.covariance
     }
@@ -110,8 +106,8 @@ impl<R: Real> SlopeMoments<R> {
     /// # Errors
     /// [`Error::Weight`] if a weight is negative or not finite, or their sum is infinite;
     /// [`Error::Weights`] if both are 0.
-    ///
-    /// WGSL: `lobe_slope_moments_merged`.
+    #[doc(alias = "parallel-axis")]
+    #[doc(alias = "lobe_slope_moments_merged")]
     pub fn merged(&self, weight: R, other: &Self, other_weight: R) -> Result<Self, Error> {
         let sum = weight + other_weight;
         if !(weight >= R::ZERO && other_weight >= R::ZERO && sum.is_finite()) {
@@ -139,8 +135,7 @@ impl<R: Real> SlopeMoments<R> {
     /// The lobe of this patch over a base material: mean slope, $A = A_{base} + 2\Sigma$.
     ///
     /// Exact for Beckmann (LEAN); for GGX the variance is added as if it were one.
-    ///
-    /// WGSL: `lobe_slope_moments_lobe`.
+    #[doc(alias = "lobe_slope_moments_lobe")]
     pub fn lobe(&self, base: Roughness<R>) -> Lobe<R> {
         let roughness = base + Roughness::from_covariance(self.covariance);
         Lobe::centered(roughness).with_mean(self.mean)

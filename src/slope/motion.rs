@@ -20,6 +20,7 @@ use crate::scalar::Real;
 /// assert_eq!(footprint.extents(), [0.01, 0.01]);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobeMotion")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion<R> {
     /// Change of the half vector, the frame held fixed: of $w_o + w_i$, or of any multiple of it, the same that
@@ -70,8 +71,7 @@ impl<R: Real> Footprint<R> {
     /// assert!((footprint.area() / same.area() - 1.0).abs() < 1e-12);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_footprint_from_motion`.
+    #[doc(alias = "lobe_footprint_from_motion")]
     #[inline]
     pub fn from_motion(
         half_vector: impl Into<[R; 3]>,

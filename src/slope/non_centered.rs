@@ -9,6 +9,7 @@ use crate::scalar::Internal;
 use crate::scalar::exact::{add_product, add_products, two_sum};
 
 /// A shape moved to a mean slope: the microsurface over a tilted plane, as LEAN and LEADR have it.
+#[doc(alias = "LobeNonCentered")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NonCentered<S: LobeShape> {
     shape: S,
@@ -28,8 +29,7 @@ impl<S: LobeShape> NonCentered<S> {
     /// assert_eq!(tilted.slope_pdf([0.3, 0.0]), centered.slope_pdf([0.0, 0.0]));
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_non_centered_new`.
+    #[doc(alias = "lobe_non_centered_new")]
     #[inline]
     pub fn new(shape: S, mean: impl Into<[S::Scalar; 2]>) -> Result<Self, Error> {
         Ok(Self { shape, mean: checked_slope(mean)? })

@@ -19,6 +19,7 @@ use crate::scalar::Real;
 /// assert_eq!(sun.inverse_distance, 0.0);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobeVertex")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vertex<R> {
     /// Unit vector from the shaded point, tangent frame.
@@ -32,8 +33,7 @@ impl<R: Real> Vertex<R> {
     ///
     /// # Errors
     /// [`Error::Direction`] if the position is not finite, or so near that one over its distance is not.
-    ///
-    /// WGSL: `lobe_vertex_at`.
+    #[doc(alias = "lobe_vertex_at")]
     pub fn at(position: impl Into<[R; 3]>) -> Result<Self, Error> {
         let position = position.into();
         // Scaled by the largest component: squares of far positions overflow f32.
@@ -54,8 +54,7 @@ impl<R: Real> Vertex<R> {
     ///
     /// # Errors
     /// [`Error::Direction`] if the direction is not finite, or so short that one over its length is not.
-    ///
-    /// WGSL: `lobe_vertex_distant`.
+    #[doc(alias = "lobe_vertex_distant")]
     pub fn distant(direction: impl Into<[R; 3]>) -> Result<Self, Error> {
         Ok(Self { inverse_distance: R::ZERO, ..Self::at(direction)? })
     }
@@ -69,6 +68,7 @@ impl<R: Real> Vertex<R> {
 }
 
 /// A surface point between viewer and light, with the surface's curvature.
+#[doc(alias = "LobePath")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Path<R> {
     /// The viewer.
@@ -85,16 +85,14 @@ impl<R: Real> Path<R> {
     /// slope is its negative.
     ///
     /// Zero for a vertex pair whose sum does not point above the surface.
-    ///
-    /// WGSL: `lobe_path_plane_point`.
+    #[doc(alias = "lobe_path_plane_point")]
     pub fn plane_point(&self) -> [R; 2] {
         let g = self.half_vector();
         if g[2] > R::ZERO { [g[0] / g[2], g[1] / g[2]] } else { [R::ZERO; 2] }
     }
 
     /// The half vector without its normalization, $g = w_i + w_o$.
-    ///
-    /// WGSL: `lobe_path_half_vector`.
+    #[doc(alias = "lobe_path_half_vector")]
     pub fn half_vector(&self) -> [R; 3] {
         let (wo, wi) = (self.eye.direction, self.light.direction);
         [wo[0] + wi[0], wo[1] + wi[1], wo[2] + wi[2]]
@@ -116,8 +114,7 @@ impl<R: Real> Path<R> {
     /// assert!((footprint.extents()[0] - 0.01).abs() < 1e-8);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_path_motion`.
+    #[doc(alias = "lobe_path_motion")]
     pub fn motion(&self, step: impl Into<[R; 2]>) -> Motion<R> {
         let [x, y] = step.into();
         let [b11, b12, b22] = self.curvature;
@@ -146,8 +143,8 @@ impl<R: Real> Path<R> {
     /// assert_eq!(path.slope_jacobian(), [[-0.5, 0.0], [0.0, -0.5]]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_path_slope_jacobian`.
+    #[doc(alias = "M")]
+    #[doc(alias = "lobe_path_slope_jacobian")]
     pub fn slope_jacobian(&self) -> Matrix<R> {
         let g = self.half_vector();
         if !(g[2] > R::ZERO) {

@@ -19,8 +19,7 @@ use crate::scalar::Real;
 /// let step = ray::step([0.0_f64, 0.0, 1.0], [0.0; 3], [0.001, 0.0, 0.0], 10.0);
 /// assert_eq!(step, [0.01, 0.0]);
 /// ```
-///
-/// WGSL: `lobe_ray_step`.
+#[doc(alias = "lobe_ray_step")]
 pub fn step<R: Real>(
     wo: impl Into<[R; 3]>,
     origin: impl Into<[R; 3]>,
@@ -42,8 +41,6 @@ pub fn step<R: Real>(
 /// let width = lobe::slope::ray::cone_width(0.1_f64, 0.002, 10.0);
 /// assert!((width - 0.12).abs() < 1e-8);
 /// ```
-///
-/// WGSL: none, the tangent of an angle is the CPU's, once per frame: builtins differ by 4e-4.
 pub fn cone_width<R: Real>(width: R, spread: R, distance: R) -> R {
     let (sin, cos) = spread.sin_cos();
     // tan(x/2) = sin x / (1 + cos x).
@@ -61,8 +58,7 @@ pub fn cone_width<R: Real>(width: R, spread: R, distance: R) -> R {
 /// assert!((along[0] - 0.125).abs() < 1e-12 && along[1] == 0.0);
 /// assert_eq!(across, [0.0, 0.1]);
 /// ```
-///
-/// WGSL: `lobe_ray_cone_steps`.
+#[doc(alias = "lobe_ray_cone_steps")]
 pub fn cone_steps<R: Real>(wo: impl Into<[R; 3]>, width: R) -> [[R; 2]; 2] {
     let wo = wo.into();
     let length = (wo[0] * wo[0] + wo[1] * wo[1]).sqrt();

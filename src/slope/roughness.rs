@@ -29,12 +29,15 @@ use core::ops::Add;
 /// }
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobeRoughness")]
+#[doc(alias = "lobe_roughness_add")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Roughness<R> {
     matrix: Psd<R>,
 }
 
 /// Roughness along the axes of a lobe, and where the axes point.
+#[doc(alias = "LobeAlphas")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Alphas<R> {
     /// alpha along the major axis: the larger.
@@ -55,8 +58,7 @@ impl<R: Real> Roughness<R> {
     ///
     /// # Errors
     /// [`Error::Alpha`] unless alpha lies in $[0, 10^9]$.
-    ///
-    /// WGSL: `lobe_roughness_from_alpha`.
+    #[doc(alias = "lobe_roughness_from_alpha")]
     pub fn from_alpha(alpha: R) -> Result<Self, Error> {
         let alpha = non_negative(alpha, Error::Alpha)?;
         Ok(Self { matrix: Psd::from_axes(alpha, alpha, R::ONE, R::ZERO) })
@@ -67,9 +69,6 @@ impl<R: Real> Roughness<R> {
     ///
     /// # Errors
     /// [`Error::AlphaX`], [`Error::AlphaY`], [`Error::Angle`].
-    ///
-    /// WGSL: none, shaders have axes, not angles, whose builtin sines differ by 2e-4: `lobe_psd_from_axes` takes
-    /// cosine and sine.
     pub fn from_alphas(alpha_x: R, alpha_y: R, angle: R) -> Result<Self, Error> {
         let alpha_x = non_negative(alpha_x, Error::AlphaX)?;
         let alpha_y = non_negative(alpha_y, Error::AlphaY)?;
@@ -84,8 +83,7 @@ impl<R: Real> Roughness<R> {
     ///
     /// # Errors
     /// [`Error::Perceptual`] outside \[0, 1\].
-    ///
-    /// WGSL: `lobe_roughness_from_perceptual`.
+    #[doc(alias = "lobe_roughness_from_perceptual")]
     pub fn from_perceptual(perceptual: R) -> Result<Self, Error> {
         if !(perceptual >= R::ZERO && perceptual <= R::ONE) {
             return Err(Error::Perceptual(perceptual.into()));
@@ -94,16 +92,14 @@ impl<R: Real> Roughness<R> {
     }
 
     /// From a roughness matrix.
-    ///
-    /// WGSL: `lobe_roughness_from_matrix`.
+    #[doc(alias = "lobe_roughness_from_matrix")]
     #[inline]
     pub fn from_matrix(matrix: Psd<R>) -> Self {
         Self { matrix }
     }
 
     /// From a slope covariance: $A = 2\Sigma$ (exact for Beckmann, a convention for GGX).
-    ///
-    /// WGSL: `lobe_roughness_from_covariance`.
+    #[doc(alias = "lobe_roughness_from_covariance")]
     #[inline]
     pub fn from_covariance(covariance: Psd<R>) -> Self {
         Self { matrix: covariance * R::TWO }
@@ -113,8 +109,8 @@ impl<R: Real> Roughness<R> {
     ///
     /// # Errors
     /// [`Error::SigmaX`], [`Error::SigmaY`], [`Error::Rho`] if `|rho| > 1`.
-    ///
-    /// WGSL: `lobe_roughness_from_sigma_rho`.
+    #[doc(alias = "rho")]
+    #[doc(alias = "lobe_roughness_from_sigma_rho")]
     pub fn from_sigma_rho(sigma_x: R, sigma_y: R, rho: R) -> Result<Self, Error> {
         let sigma_x = non_negative(sigma_x, Error::SigmaX)?;
         let sigma_y = non_negative(sigma_y, Error::SigmaY)?;
@@ -125,16 +121,15 @@ impl<R: Real> Roughness<R> {
     }
 
     /// The matrix A.
-    ///
-    /// WGSL: none, a field there.
+    #[doc(alias = "A")]
     #[inline]
     pub fn matrix(&self) -> Psd<R> {
         self.matrix
     }
 
     /// The slope covariance $\Sigma = A/2$.
-    ///
-    /// WGSL: `lobe_roughness_covariance`.
+    #[doc(alias = "Sigma")]
+    #[doc(alias = "lobe_roughness_covariance")]
     pub fn covariance(&self) -> Psd<R> {
         self.matrix * R::HALF
     }
@@ -148,8 +143,7 @@ impl<R: Real> Roughness<R> {
     /// assert!((back.angle - 0.3).abs() < 1e-14);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_roughness_alphas`.
+    #[doc(alias = "lobe_roughness_alphas")]
     pub fn alphas(&self) -> Alphas<R> {
         let eigen = self.matrix.eigen();
         let [cos, sin] = eigen.axis;
@@ -173,8 +167,8 @@ impl<R: Real> Roughness<R> {
     /// assert!(m[1][0] == 0.0 && (m[1][1] - 2.0).abs() < 1e-12);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_roughness_chermain_matrix`.
+    #[doc(alias = "M")]
+    #[doc(alias = "lobe_roughness_chermain_matrix")]
     pub fn chermain_matrix(&self, sigma_o: R) -> Matrix<R> {
         let covariance = self.covariance();
         let [xx, xy, yy] = covariance.entries();
@@ -194,8 +188,6 @@ impl<R: Real> Add for Roughness<R> {
     type Output = Self;
 
     /// The sum of two roughness matrices: independent layers of slopes.
-    ///
-    /// WGSL: `lobe_roughness_add`.
     #[inline]
     fn add(self, other: Self) -> Self {
         Self { matrix: self.matrix + other.matrix }

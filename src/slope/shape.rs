@@ -21,8 +21,8 @@ pub trait LobeShape: Copy {
     const CENTERED: bool;
 
     /// $\sqrt{\det A}$; 0 for a mirror along some axis.
-    ///
-    /// WGSL: `lobe_isotropic_root_det`, `lobe_axis_aligned_root_det`.
+    #[doc(alias = "lobe_isotropic_root_det")]
+    #[doc(alias = "lobe_axis_aligned_root_det")]
     fn root_det(&self) -> Self::Scalar;
 
     /// $n(m) = \sqrt{\det A}\; v^T A^{-1} v$ with $v = m_{xy} + \mu m_z$, for the direction
@@ -30,19 +30,19 @@ pub trait LobeShape: Copy {
     ///
     /// With $s$ the slope of $m$ and $q = (s - \mu)^T A^{-1} (s - \mu)$: $n = \sqrt{\det A}\, q\,
     /// m_z^2$. Free of divisions by $m_z$, hence valid up to the horizon.
-    ///
-    /// WGSL: `lobe_isotropic_form`, `lobe_axis_aligned_form`, `lobe_anisotropic_form`, `lobe_non_centered_form`.
+    #[doc(alias = "lobe_isotropic_form")]
+    #[doc(alias = "lobe_axis_aligned_form")]
+    #[doc(alias = "lobe_anisotropic_form")]
+    #[doc(alias = "lobe_non_centered_form")]
     fn form(&self, m: [Self::Scalar; 3], m_low: [Self::Scalar; 3]) -> Self::Scalar;
 
     /// The slope relative to the mean, $s - \mu$, as an unevaluated sum, high and low.
-    ///
-    /// WGSL: `lobe_non_centered_offset`.
+    #[doc(alias = "lobe_non_centered_offset")]
     fn offset(&self, slope: [Self::Scalar; 2]) -> ([Self::Scalar; 2], [Self::Scalar; 2]);
 
     /// $L^{-1} v$ with $L L^T = A$, for the difference of slopes `v + v_low`: lengths in units of the
     /// lobe. Not defined for a mirror.
-    ///
-    /// WGSL: `lobe_anisotropic_whiten`.
+    #[doc(alias = "lobe_anisotropic_whiten")]
     fn whiten(&self, v: [Self::Scalar; 2], v_low: [Self::Scalar; 2]) -> [Self::Scalar; 2];
 
     /// The unit vector of the major axis of A, and alpha along it: all that is left of a groove, whose A has rank one.
@@ -54,22 +54,22 @@ pub trait LobeShape: Copy {
     /// assert_eq!(AxisAligned::new(0.0_f32, 0.3)?.major(), ([0.0, 1.0], 0.3));
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_anisotropic_major`.
+    #[doc(alias = "lobe_anisotropic_major")]
     fn major(&self) -> ([Self::Scalar; 2], Self::Scalar);
 
     /// $a^2(w) = w_{xy}^T A\, w_{xy}$.
-    ///
-    /// WGSL: `lobe_isotropic_stretch_squared`, `lobe_axis_aligned_stretch_squared`, `lobe_anisotropic_stretch_squared`.
+    #[doc(alias = "lobe_isotropic_stretch_squared")]
+    #[doc(alias = "lobe_axis_aligned_stretch_squared")]
+    #[doc(alias = "lobe_anisotropic_stretch_squared")]
     fn stretch_squared(&self, w: [Self::Scalar; 3]) -> Self::Scalar;
 
     /// $c(w) = w_z - \mu \cdot w_{xy}$, the projected area of the mean plane.
-    ///
-    /// WGSL: `lobe_non_centered_mean_area`.
+    #[doc(alias = "lobe_non_centered_mean_area")]
     fn mean_area(&self, w: [Self::Scalar; 3]) -> Self::Scalar;
 }
 
 /// $A = \alpha^2 I$, centered.
+#[doc(alias = "LobeIsotropic")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Isotropic<R> {
     alpha: R,
@@ -93,8 +93,7 @@ impl<R: Real> Isotropic<R> {
     /// assert!((ggx.d([0.0, 0.0, 1.0]) - 4.0 / core::f32::consts::PI).abs() < 1e-6);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_isotropic_new`.
+    #[doc(alias = "lobe_isotropic_new")]
     #[inline]
     pub fn new(alpha: R) -> Result<Self, Error> {
         if alpha.is_magnitude() { Ok(Self { alpha }) } else { Err(Error::Alpha(alpha.into())) }
@@ -137,6 +136,7 @@ impl<R: Real> LobeShape for Isotropic<R> {
 }
 
 /// $A = \mathrm{diag}(\alpha_x^2, \alpha_y^2)$, centered.
+#[doc(alias = "LobeAxisAligned")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisAligned<R> {
     alphas: [R; 2],
@@ -156,8 +156,7 @@ impl<R: Real> AxisAligned<R> {
     /// assert!(brushed.slope_pdf([0.2, 0.0]) > brushed.slope_pdf([0.0, 0.2]));
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_axis_aligned_new`.
+    #[doc(alias = "lobe_axis_aligned_new")]
     #[inline]
     pub fn new(alpha_x: R, alpha_y: R) -> Result<Self, Error> {
         if !alpha_x.is_magnitude() {
@@ -213,6 +212,7 @@ impl<R: Real> LobeShape for AxisAligned<R> {
 /// The form is a sum of squares, $n = v_x^2 \sqrt{\det A}/a_{xx} + t^2 a_{xx}/\sqrt{\det A}$ with
 /// $t = v_y - v_x a_{xy}/a_{xx}$ from one compensated product: the textbook
 /// $a_{yy} v_x^2 - 2 a_{xy} v_x v_y + a_{xx} v_y^2$ loses four digits at rho = 0.9999.
+#[doc(alias = "LobeAnisotropic")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Anisotropic<R> {
     xx: R,
@@ -234,8 +234,7 @@ impl<R: Real> Anisotropic<R> {
     /// assert!(ggx.slope_pdf([0.1, 0.1]) > 0.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_anisotropic_new`.
+    #[doc(alias = "lobe_anisotropic_new")]
     #[inline]
     pub fn new(roughness: Roughness<R>) -> Self {
         let matrix = roughness.matrix();

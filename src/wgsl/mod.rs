@@ -49,6 +49,9 @@ mod preset;
 mod table;
 mod text;
 
+#[doc = include_str!("names.md")]
+pub mod names {}
+
 pub use binding::{rebound, textured};
 pub use error::Error;
 pub use item::Item;

@@ -21,3 +21,4 @@ mod modules;
 mod twins;
 mod wgsl;
 mod wgsl_text;
+mod written;

@@ -5,11 +5,12 @@
 mod rust;
 mod wgsl;
 
+use crate::written::written;
 use lobe::filter::VmfWidening;
 use lobe::filter::engine::Engine;
 use lobe::wgsl::{Item, Module};
 use lobe::{Footprint, Kernel, PixelFilter, Real};
-use rust::{Function, functions, value};
+use rust::{Function, aliases, functions, value};
 use wgsl::{Declared, declared};
 
 /// The Rust file of a module.
@@ -52,24 +53,47 @@ fn rust_files() -> Vec<(String, String)> {
     files
 }
 
-/// What is wrong with the line about WGSL of a public function, against what the WGSL port declares.
-fn complaint(file: &str, function: &Function, port: &[(&str, Declared)]) -> Option<String> {
-    let place = format!("src/{file}.rs, {}", function.path);
-    let Some(line) = &function.wgsl else {
-        return Some(format!(
-            "{place}: says nothing of WGSL: name its twin, or `none` and the reason"
-        ));
-    };
-    if let Some(reason) = line.strip_prefix("none") {
-        let given = reason.strip_prefix(", ").is_some_and(|reason| reason.len() > 3);
-        return (!given).then(|| format!("{place}: no twin, and no reason: `WGSL: none, REASON.`"));
+/// A public function without a twin, and the reason.
+struct RustOnly {
+    reason: &'static str,
+    file: &'static str,
+    path: &'static str,
+}
+
+/// The functions of `rust_only.txt`.
+fn rust_only() -> Vec<RustOnly> {
+    let (mut found, mut reason) = (Vec::new(), "");
+    for line in include_str!("twins/rust_only.txt").lines().filter(|line| !line.starts_with('#')) {
+        match line.strip_prefix("    ").and_then(|entry| entry.split_once(' ')) {
+            Some((file, path)) => found.push(RustOnly { reason, file, path }),
+            None => reason = line,
+        }
     }
-    for name in line.split('`').filter(|word| word.starts_with("lobe_")) {
+    found
+}
+
+/// What is wrong with the names in WGSL of a public function, against what the port declares.
+fn complaint(
+    file: &str,
+    function: &Function,
+    port: &[(&str, Declared)],
+    only: &[RustOnly],
+) -> Option<String> {
+    let place = format!("src/{file}.rs, {}", function.path);
+    let alone = only.iter().any(|only| only.file == file && only.path == function.path);
+    if alone != function.aliases.is_empty() {
+        return Some(if alone {
+            format!("{place}: has a twin, and stands in rust_only.txt")
+        } else {
+            format!("{place}: has neither a `doc(alias)` of its twin nor a line in rust_only.txt")
+        });
+    }
+    for name in &function.aliases {
         let twin = port
             .iter()
-            .find(|(path, declared)| declared.name == name && homes(path).contains(&file));
+            .find(|(path, declared)| declared.name == *name && homes(path).contains(&file));
         let Some((_, twin)) = twin else {
-            return Some(format!("{place}: names {name}, which its file of the WGSL port has not"));
+            return Some(format!("{place}: names {name}, which its file of the port has not"));
         };
         if !twin.twins.iter().any(|twin| function.is(twin)) {
             return Some(format!(
@@ -88,17 +112,27 @@ fn port() -> Vec<(&'static str, Declared)> {
 
 #[test]
 fn each_public_function_names_its_twin_or_a_reason() {
-    let port = port();
+    let (port, only) = (port(), rust_only());
     let mut found = Vec::new();
     let mut count = 0;
     for (file, text) in rust_files() {
         for function in functions(&text).iter().filter(|function| function.public) {
             count += 1;
-            found.extend(complaint(&file, function, &port));
+            found.extend(complaint(&file, function, &port, &only));
         }
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
     assert!(count > 150, "only {count} public functions found");
+}
+
+#[test]
+fn functions_without_a_twin_exist() {
+    for RustOnly { reason, file, path } in rust_only() {
+        let text = rust_text(file).unwrap_or_else(|| panic!("rust_only.txt: no src/{file}.rs"));
+        let known = functions(&text).iter().any(|f| f.public && f.path == path);
+        assert!(known, "rust_only.txt: no public {path} in src/{file}.rs");
+        assert!(reason.len() > 3, "rust_only.txt: no reason for {path}");
+    }
 }
 
 #[test]
@@ -122,12 +156,20 @@ fn each_function_of_the_port_names_its_twin() {
             if !(known || (!declared.name.starts_with("lobe_") && stated)) {
                 found.push(format!("{place}: there is no `{twin}` in {:?}", homes(path)));
             }
-            // A public function that the WGSL port has says so, and can be asked for.
-            let public = all.iter().find(|function| function.public && function.is(twin));
+            // A public function or operator that the port has names it, and can be asked for.
+            let operator = ["add", "sub", "mul"].contains(&last);
+            let public = all.iter().find(|f| (f.public || operator) && f.is(twin));
             let short = declared.name.strip_prefix("lobe_");
             if let (Some(function), Some(short)) = (public, short) {
-                let named =
-                    function.wgsl.as_ref().is_some_and(|line| line.contains(&declared.name));
+                let at_type = || {
+                    let (home, _) = twin.split_once("::").unwrap_or_default();
+                    let of_type = |text: &str| text.contains(&format!("pub struct {home}"));
+                    let files = rust_files();
+                    files
+                        .iter()
+                        .any(|(_, text)| of_type(text) && aliases(text).contains(&declared.name))
+                };
+                let named = function.aliases.contains(&declared.name) || operator && at_type();
                 if !named {
                     found.push(format!("{place}: `{twin}` does not name it"));
                 }
@@ -209,6 +251,45 @@ fn public_constant(twin: &str) -> Option<f32> {
     })
 }
 
+/// The table of names that the documentation of `lobe::wgsl::names` shows.
+fn names() -> String {
+    let mut text = String::from("| Rust | WGSL |\n|---|---|\n");
+    let row = |text: &mut String, rust: &str, wgsl: &str| {
+        text.push_str(&format!("| `{rust}` | `{wgsl}` |\n"));
+    };
+    let all = rust_files();
+    let (mut alone, structs) = (Vec::new(), |name: &str| {
+        all.iter().any(|(_, text)| aliases(text).iter().any(|alias| alias == name))
+    });
+    for (_, declared) in port() {
+        let short = declared.name.split_once('_').map_or("", |(_, short)| short);
+        let asked = Item::from_name(short).is_ok();
+        match declared.twins.first() {
+            Some(twin) if asked || structs(&declared.name) => row(&mut text, twin, &declared.name),
+            None if asked => alone.push(declared.name),
+            _ => {}
+        }
+    }
+    text.push_str("\n# Only in WGSL\n\n");
+    text.push_str("What Rust has as generics, as closures or not at all.\n\n");
+    alone.iter().for_each(|name| text.push_str(&format!("- `{name}`\n")));
+    text.push_str("\n# Only in Rust\n\n| Reason, or what stands in | Rust |\n|---|---|\n");
+    let only = rust_only();
+    let mut reasons: Vec<&str> = only.iter().map(|only| only.reason).collect();
+    reasons.dedup();
+    for reason in reasons {
+        let of_reason = only.iter().filter(|only| only.reason == reason);
+        let paths: Vec<String> = of_reason.map(|only| format!("`{}`", only.path)).collect();
+        text.push_str(&format!("| {reason} | {} |\n", paths.join(", ")));
+    }
+    text
+}
+
+#[test]
+fn the_table_of_names_is_written_down() {
+    written("src/wgsl/names.md", &names());
+}
+
 #[test]
 fn constants_are_bit_equal() {
     let mut count = 0;
@@ -244,17 +325,17 @@ fn the_laws_notice() {
         "slope/ray",
         declared("// Rust: `step`.\nfn lobe_ray_step() {\n}\n").pop().expect("one"),
     )];
-    let says = |text: &str| complaint("slope/ray", &of(text), &port);
-    assert!(says("/// A.\npub fn step() {}\n").expect("silent").contains("says nothing of WGSL"));
-    assert!(says("/// WGSL: none.\npub fn step() {}\n").expect("unreasoned").contains("no reason"));
-    assert!(says("/// WGSL: `lobe_step`.\npub fn step() {}\n").expect("wrong").contains("has not"));
-    assert!(
-        says("/// WGSL: `lobe_ray_step`.\npub fn stop() {}\n")
-            .expect("other")
-            .contains("does not name it")
-    );
-    assert_eq!(says("/// WGSL: `lobe_ray_step`.\npub fn step() {}\n"), None);
-    assert_eq!(says("/// WGSL: none, it is text.\npub fn name() {}\n"), None);
+    let only = [RustOnly { reason: "text", file: "slope/ray", path: "name" }];
+    let says = |text: &str| complaint("slope/ray", &of(text), &port, &only);
+    let alias = |name: &str, function: &str| {
+        says(&format!("/// A.\n#[doc(alias = \"lobe_{name}\")]\npub fn {function}() {{}}\n"))
+    };
+    assert!(says("/// A.\npub fn step() {}\n").expect("silent").contains("neither"));
+    assert!(alias("step", "step").expect("wrong").contains("has not"));
+    assert!(alias("ray_step", "stop").expect("other").contains("does not name it"));
+    assert!(alias("ray_step", "name").expect("both").contains("stands in"));
+    assert_eq!(alias("ray_step", "step"), None);
+    assert_eq!(says("/// A.\npub fn name() {}\n"), None);
     assert_eq!(value("const A: f64 = 2.0 * 0.5 / 4.0;\n", "A"), Some(vec![0.25]));
     assert_eq!(value("const A: [f32; 2] = [1.5,\n -2.0];\n", "A"), Some(vec![1.5, -2.0]));
 }

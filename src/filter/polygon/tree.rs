@@ -92,8 +92,7 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
     /// assert!((mass - 1.0).abs() < 1e-6);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_ggx_parallelogram_mean`.
+    #[doc(alias = "lobe_ggx_parallelogram_mean")]
     pub fn parallelogram_mean(
         &self,
         slope: impl Into<[S::Scalar; 2]>,
@@ -181,8 +180,7 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
     /// assert!((ggx.rectangle_mean([0.05, 0.0], [1e-5, 1e-5]) / point - 1.0).abs() < 1e-6);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_ggx_rectangle_mean`.
+    #[doc(alias = "lobe_ggx_rectangle_mean")]
     pub fn rectangle_mean(
         &self,
         slope: impl Into<[S::Scalar; 2]>,
@@ -227,8 +225,7 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
     /// assert!((seen - 3906.25).abs() < 1e-9);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_ggx_brdf_over`.
+    #[doc(alias = "lobe_ggx_brdf_over")]
     pub fn brdf_over(
         &self,
         wo: impl Into<[S::Scalar; 3]>,

@@ -32,6 +32,7 @@ const FAR: [u32; 2] = [3_242_174_889, 2_447_445_413];
 /// assert_eq!(Cell::at([6, -10], 1, 0), Cell::at([3, -5], 2, 0));
 /// assert_ne!(Cell::at([6, -10], 1, 0), Cell::at([3, -5], 1, 0));
 /// ```
+#[doc(alias = "LobeCell")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Cell {
     words: [u32; 4],
@@ -43,8 +44,8 @@ impl Cell {
     /// Indices have 32 bits or 64, as [`CoveredCell::index`](super::CoveredCell::index). Odd numbers beyond 32 bits change the seed, by
     /// multiples of two odd constants for which no two cells of one size are equal that lie less than $2^{47}$ cells apart.
     /// Exponents beyond -300 to 300 are taken as those.
-    ///
-    /// WGSL: `lobe_cell_at`; of 64 bits `lobe_cell_at_wide`.
+    #[doc(alias = "lobe_cell_at")]
+    #[doc(alias = "lobe_cell_at_wide")]
     #[inline]
     pub fn at<I: Into<i64>>(index: [I; 2], exponent: i32, seed: u32) -> Self {
         let exponent = exponent.clamp(-300, 300);
@@ -61,32 +62,28 @@ impl Cell {
     }
 
     /// Where the borders of its angular bins lie, in [0, 1) along each axis.
-    ///
-    /// WGSL: `lobe_cell_jitter`.
+    #[doc(alias = "lobe_cell_jitter")]
     #[inline]
     pub fn jitter<R: Real>(&self) -> [R; 2] {
         [uniform(self.words[0]), uniform(self.words[1])]
     }
 
     /// How many details it has against the mean: a uniform number in (0, 1).
-    ///
-    /// WGSL: `lobe_cell_size`.
+    #[doc(alias = "lobe_cell_size")]
     #[inline]
     pub fn size<R: Real>(&self) -> R {
         tail(self.words[2])
     }
 
     /// When it takes over from the cells of the next level, on the way to it: a uniform number in [0, 1).
-    ///
-    /// WGSL: `lobe_cell_turn`.
+    #[doc(alias = "lobe_cell_turn")]
     #[inline]
     pub fn turn<R: Real>(&self) -> R {
         uniform(self.words[3])
     }
 
     /// Its color: a uniform number in [0, 1).
-    ///
-    /// WGSL: `lobe_cell_hue`.
+    #[doc(alias = "lobe_cell_hue")]
     #[inline]
     pub fn hue<R: Real>(&self) -> R {
         let [a, b, ..] = self.words;
@@ -94,8 +91,7 @@ impl Cell {
     }
 
     /// How many of its details reflect in an angular bin: a uniform number in (0, 1), the probability of more.
-    ///
-    /// WGSL: `lobe_cell_count`.
+    #[doc(alias = "lobe_cell_count")]
     #[inline]
     pub fn count<R: Real>(&self, bin: [i32; 2]) -> R {
         let [a, b, ..] = self.words;

@@ -16,6 +16,7 @@ use crate::scalar::exact::cross;
 /// let patch = Patch::new([0.25_f32, 0.5], [1e-3, 0.0], [0.0, 4e-3]);
 /// assert_eq!(patch.extents(), [1e-3, 4e-3]);
 /// ```
+#[doc(alias = "LobePatch")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Patch<R> {
     /// Whole numbers to be added to `uv`: 0 of plain coordinates.
@@ -36,8 +37,7 @@ impl<R: Real> Patch<R> {
     /// 1/16 of a cell. Farther away, cells of glints are as large as $2^{-20} \max(|u|, |v|)$: details in a cell grow like
     /// the square of the distance, and the deviation of the sparkle falls like one over it. A pixel of width 1e-3 loses its
     /// glints from |u| = 1000 on. [`Patch::in_tile`] has no such distance.
-    ///
-    /// WGSL: `lobe_patch_new`.
+    #[doc(alias = "lobe_patch_new")]
     #[inline]
     pub fn new(uv: impl Into<[R; 2]>, right: impl Into<[R; 2]>, up: impl Into<[R; 2]>) -> Self {
         Self::in_tile([0; 2], uv, right, up)
@@ -71,8 +71,7 @@ impl<R: Real> Patch<R> {
     /// assert!(snow.ndf(&Patch::in_tile(tile, uv, right, up)).sparkle(h, 0.0) >= 0.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_patch_in_tile`.
+    #[doc(alias = "lobe_patch_in_tile")]
     #[inline]
     pub fn in_tile(
         tile: impl Into<[i32; 2]>,
@@ -84,8 +83,7 @@ impl<R: Real> Patch<R> {
     }
 
     /// Sides of the box around the middles of the parallelogram's edges, $\max(|d_x|, |d_y|)$ per axis.
-    ///
-    /// WGSL: `lobe_patch_extents`.
+    #[doc(alias = "lobe_patch_extents")]
     #[inline]
     pub fn extents(&self) -> [R; 2] {
         // `max` drops a NaN on its left: here both.
@@ -93,8 +91,7 @@ impl<R: Real> Patch<R> {
     }
 
     /// Area of the parallelogram.
-    ///
-    /// WGSL: `lobe_patch_area`.
+    #[doc(alias = "lobe_patch_area")]
     #[inline]
     pub fn area(&self) -> R {
         cross(self.right, self.up).abs()
@@ -107,8 +104,7 @@ impl<R: Real> Patch<R> {
     /// let square = Patch::new([0.0_f64; 2], [0.6, 0.8], [-0.8, 0.6]);
     /// assert!((square.width() - 1.0).abs() < 1e-15);
     /// ```
-    ///
-    /// WGSL: `lobe_patch_width`.
+    #[doc(alias = "lobe_patch_width")]
     #[inline]
     pub fn width(&self) -> R {
         let [a, b] = self.extents();

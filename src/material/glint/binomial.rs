@@ -35,6 +35,7 @@ const RAREST: f64 = 1.0 / 1_073_741_824.0;
 /// assert_eq!(details.draw(0.9), 0.0); // nine in ten draws have more: this one has none
 /// assert!(details.draw(0.001) > 5.0);
 /// ```
+#[doc(alias = "LobeBinomial")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Binomial<R> {
     trials: R,
@@ -54,8 +55,7 @@ impl<R: Real> Binomial<R> {
     /// `n` trials, at least one (fewer count as that), of probability `p`, in [0, 1].
     ///
     /// Up to $10^{18}$ trials. NaN counts as one trial, or as probability 0.
-    ///
-    /// WGSL: `lobe_binomial_new`.
+    #[doc(alias = "lobe_binomial_new")]
     #[inline]
     pub fn new(n: R, p: R) -> Self {
         let (zero, one) = (R::ZERO, R::ONE);
@@ -87,8 +87,7 @@ impl<R: Real> Binomial<R> {
     ///
     /// Not whole where two distributions are blended. Of a mean below $2^{-30}$, which a word's tail does not resolve,
     /// the mean.
-    ///
-    /// WGSL: `lobe_binomial_draw`.
+    #[doc(alias = "lobe_binomial_draw")]
     #[inline]
     pub fn draw(&self, tail: R) -> R {
         let (zero, one) = (R::ZERO, R::ONE);

@@ -23,6 +23,7 @@ use crate::slope::{Roughness, SlopeMoments};
 /// assert!((snow.local().alphas().major - 0.0144).abs() < 1e-15);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobeBiscale")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Biscale<R> {
     spread: Roughness<R>,
@@ -31,8 +32,6 @@ pub struct Biscale<R> {
 
 impl<R: Real> Biscale<R> {
     /// From the two parts.
-    ///
-    /// WGSL: none, `LobeBiscale(spread, local)` there.
     pub fn new(spread: Roughness<R>, local: Roughness<R>) -> Self {
         Self { spread, local }
     }
@@ -45,8 +44,7 @@ impl<R: Real> Biscale<R> {
     ///
     /// # Errors
     /// [`Error::AlphaX`], [`Error::AlphaY`] outside $[0, 10^9]$; [`Error::Fraction`] outside (0, 1].
-    ///
-    /// WGSL: `lobe_biscale_from_fractions`.
+    #[doc(alias = "lobe_biscale_from_fractions")]
     pub fn from_fractions(
         alphas: impl Into<[R; 2]>,
         fractions: impl Into<[R; 2]>,
@@ -62,22 +60,17 @@ impl<R: Real> Biscale<R> {
     }
 
     /// $A_m$: how the slopes of details are distributed.
-    ///
-    /// WGSL: none, a field there.
     pub fn spread(&self) -> Roughness<R> {
         self.spread
     }
 
     /// $A_l$: the roughness of one detail.
-    ///
-    /// WGSL: none, a field there.
     pub fn local(&self) -> Roughness<R> {
         self.local
     }
 
     /// $A_g = A_m + A_l$: the roughness from afar.
-    ///
-    /// WGSL: `lobe_biscale_global`.
+    #[doc(alias = "lobe_biscale_global")]
     #[inline]
     pub fn global(&self) -> Roughness<R> {
         self.spread + self.local
@@ -93,8 +86,7 @@ impl<R: Real> Biscale<R> {
     /// assert_eq!(details.widened(&pixel).spread(), details.spread());
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_biscale_widened`.
+    #[doc(alias = "lobe_biscale_widened")]
     #[must_use]
     #[inline]
     pub fn widened(&self, kernel: &Kernel<R>) -> Self {
@@ -103,8 +95,7 @@ impl<R: Real> Biscale<R> {
 
     /// On a patch of a normal map: its covariance spreads the details, $A_m + 2\Sigma$, and leaves each as sharp as it
     /// was. The patch's mean is the lobe's, not of a roughness ([`GlintNdf::over`](super::GlintNdf::over)).
-    ///
-    /// WGSL: `lobe_biscale_over`.
+    #[doc(alias = "lobe_biscale_over")]
     #[must_use]
     #[inline]
     pub fn over(&self, moments: &SlopeMoments<R>) -> Self {

@@ -12,8 +12,7 @@ use crate::scalar::Real;
 /// assert_eq!(hue_wheel(0.0_f64), [2.0, 0.0, 0.0]);
 /// assert_eq!(hue_wheel(0.5_f64), [0.0, 2.0, 2.0]);
 /// ```
-///
-/// WGSL: `lobe_hue_wheel`.
+#[doc(alias = "lobe_hue_wheel")]
 #[inline]
 pub fn hue_wheel<R: Real>(hue: R) -> [R; 3] {
     let (zero, one) = (R::ZERO, R::ONE);

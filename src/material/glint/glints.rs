@@ -32,6 +32,7 @@ use crate::scalar::Real;
 /// Source: Zirr & Kaplanyan 2016. What is printed and was published of it, mistakes included, is
 /// [`ZirrKaplanyan`](super::ZirrKaplanyan); this one conserves the mean: over cells and angular bins $P_{22}$ averages to that
 /// of the smooth lobe, for any number, size, light and pixel.
+#[doc(alias = "LobeGlints")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Glints<R> {
     pub(super) biscale: Biscale<R>,
@@ -59,8 +60,7 @@ impl<R: Real> Glints<R> {
     ///
     /// # Errors
     /// [`Error::Density`] unless in $[10^{-18}, 10^{18}]$.
-    ///
-    /// WGSL: `lobe_glints_new`.
+    #[doc(alias = "lobe_glints_new")]
     pub fn new(biscale: Biscale<R>, density: R) -> Result<Self, Error> {
         let most = R::LARGEST * R::LARGEST;
         if !(density >= R::ONE / most && density <= most) {
@@ -88,8 +88,6 @@ impl<R: Real> Glints<R> {
     ///
     /// # Errors
     /// [`Error::Variation`] outside [0, 4].
-    ///
-    /// WGSL: none, a field there.
     pub fn with_variation(self, variation: R) -> Result<Self, Error> {
         if !(variation >= R::ZERO && variation <= R::lit(4.0)) {
             return Err(Error::Variation(variation.into()));
@@ -110,8 +108,6 @@ impl<R: Real> Glints<R> {
     /// assert_eq!(dull.sparkle([0.0, 0.0, 1.0], 0.0), 1.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, a field there.
     pub fn with_share(self, share: R) -> Result<Self, Error> {
         if !(share >= R::ZERO && share <= R::ONE) {
             return Err(Error::Share(share.into()));
@@ -120,16 +116,12 @@ impl<R: Real> Glints<R> {
     }
 
     /// With other random numbers.
-    ///
-    /// WGSL: none, a field there.
     #[must_use]
     pub fn with_seed(self, seed: u32) -> Self {
         Self { seed, ..self }
     }
 
     /// The two roughnesses.
-    ///
-    /// WGSL: none, a field there.
     pub fn biscale(&self) -> Biscale<R> {
         self.biscale
     }
@@ -144,8 +136,7 @@ impl<R: Real> Glints<R> {
     /// assert_eq!(glints.detail_size(), 1.0 / 1024.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_glints_detail_size`.
+    #[doc(alias = "lobe_glints_detail_size")]
     #[inline]
     pub fn detail_size(&self) -> R {
         // Up from 0.7 of it.

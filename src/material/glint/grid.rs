@@ -37,6 +37,7 @@ const EVEN: f64 = 0.03;
 /// });
 /// assert!((8..=24).contains(&count) && (sum - 1.0).abs() < 1e-12);
 /// ```
+#[doc(alias = "LobeGrid")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid<R> {
     patch: Patch<R>,
@@ -55,16 +56,14 @@ impl<R: Real> Grid<R> {
     /// Nor smaller than $2^{-20}$ of the distance of `uv` from the tile's corner, for the sake of f32: of plain coordinates, from
     /// the origin ([`Patch::new`]). Coordinates of large surfaces belong into [`Patch::in_tile`]. NaN counts as 0 (of
     /// coordinates, as far away).
-    ///
-    /// WGSL: `lobe_grid_new`.
+    #[doc(alias = "lobe_grid_new")]
     #[inline]
     pub fn new(patch: &Patch<R>, least: R) -> Self {
         Self::stretched(patch, [R::ONE; 2], least)
     }
 
     /// The grids of a pixel whose coordinates are compressed by factors in [0, 1], with the cell size that it has without.
-    ///
-    /// WGSL: `lobe_grid_stretched`.
+    #[doc(alias = "lobe_grid_stretched")]
     #[inline]
     pub fn stretched(patch: &Patch<R>, factors: [R; 2], least: R) -> Self {
         let [a, b] = patch.extents();
@@ -91,8 +90,6 @@ impl<R: Real> Grid<R> {
     }
 
     /// The same grids with other random numbers.
-    ///
-    /// WGSL: none, a field there.
     #[must_use]
     #[inline]
     pub fn with_seed(self, seed: u32) -> Self {
@@ -100,24 +97,18 @@ impl<R: Real> Grid<R> {
     }
 
     /// The finer grid's cells are of size $2^k$, k being this.
-    ///
-    /// WGSL: none, a field there.
     #[inline]
     pub fn exponent(&self) -> i32 {
         self.exponent
     }
 
     /// How far the coarser grid has come, from 0, where there is only the finer one, to 1.
-    ///
-    /// WGSL: none, a field there.
     #[inline]
     pub fn coarser(&self) -> R {
         self.coarser
     }
 
     /// Calls `f` with every cell that the pixel covers.
-    ///
-    /// WGSL: none, a loop there (`lobe_glint_ndf_sparkle`).
     #[inline]
     pub fn visit(&self, mut f: impl FnMut(CoveredCell<R>)) {
         let sum = self.walk(|_, _| ());

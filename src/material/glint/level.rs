@@ -20,6 +20,8 @@ pub(super) const COLUMNS: u32 = 2 * ANISOTROPY_LIMIT + 2;
 pub(super) const FARTHEST: i32 = 20;
 
 /// A cell that a pixel covers.
+#[doc(alias = "LobeCoveredCell")]
+#[doc(alias = "LobeGrooveCovered")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoveredCell<R> {
     /// The cell's center, in cells from the origin of the coordinates.

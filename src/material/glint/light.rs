@@ -19,8 +19,7 @@ use crate::slope::direction::{dot, half_vector};
 /// let up = [0.0_f64, 0.0, 1.0];
 /// assert_eq!(light_blur(up, up, 0.5), 0.0625);
 /// ```
-///
-/// WGSL: `lobe_light_blur`.
+#[doc(alias = "lobe_light_blur")]
 #[inline]
 pub fn light_blur<R: Real>(wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>, radius: R) -> R {
     let (wo, wi) = (wo.into(), wi.into());

@@ -29,6 +29,7 @@ use crate::slope::{Anisotropic, Lobe, NonCentered, Roughness, SlopeMoments};
 /// along them the density is the smooth lobe's.
 ///
 /// Source: Zirr & Kaplanyan 2016, section 4; departures are [`ZirrKaplanyan`](super::ZirrKaplanyan)'s list.
+#[doc(alias = "LobeGlintNdf")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GlintNdf<R: Real> {
     pub(super) mean: [R; 2],
@@ -43,8 +44,7 @@ pub struct GlintNdf<R: Real> {
 
 impl<R: Real> Glints<R> {
     /// What a pixel sees: the material's lobe, and its cells under this patch.
-    ///
-    /// WGSL: `lobe_glints_ndf`.
+    #[doc(alias = "lobe_glints_ndf")]
     #[inline]
     pub fn ndf(&self, patch: &Patch<R>) -> GlintNdf<R> {
         let grid = Grid::stretched(patch, self.stretch, self.detail_size());
@@ -76,8 +76,7 @@ impl<R: Real> GlintNdf<R> {
     /// assert!((pixel.smooth_lobe().roughness().matrix().entries()[0] - 0.11).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_glint_ndf_over`.
+    #[doc(alias = "lobe_glint_ndf_over")]
     #[must_use]
     #[inline]
     pub fn over(&self, moments: &SlopeMoments<R>) -> Self {
@@ -87,8 +86,7 @@ impl<R: Real> GlintNdf<R> {
     }
 
     /// Under the pixel's kernel, the half vector's spread over the pixel: every detail is blurred by it.
-    ///
-    /// WGSL: `lobe_glint_ndf_widened`.
+    #[doc(alias = "lobe_glint_ndf_widened")]
     #[must_use]
     #[inline]
     pub fn widened(&self, kernel: &Kernel<R>) -> Self {
@@ -97,23 +95,18 @@ impl<R: Real> GlintNdf<R> {
     }
 
     /// The smooth lobe: what the pixel averages to, and what masks it.
-    ///
-    /// WGSL: `lobe_glint_ndf_smooth_lobe`.
+    #[doc(alias = "lobe_glint_ndf_smooth_lobe")]
     #[inline]
     pub fn smooth_lobe(&self) -> Lobe<R> {
         Lobe::centered(self.global).with_mean(self.mean)
     }
 
     /// The cells that the pixel covers.
-    ///
-    /// WGSL: none, a field there.
     pub fn grid(&self) -> &Grid<R> {
         &self.grid
     }
 
     /// The smooth lobe's distribution.
-    ///
-    /// WGSL: none, an argument there.
     #[inline]
     pub fn smooth(&self) -> Ndf<BeckmannDistribution, NonCentered<Anisotropic<R>>> {
         Beckmann::new(self.smooth_lobe().shape())

@@ -37,8 +37,7 @@ enum Mixture<R> {
 impl<R: Real> GlintNdf<R> {
     /// Probability that a detail reflects at the unit normal `h`, under a light of this `blur`; in [0, 1], 0 at the
     /// horizon and below.
-    ///
-    /// WGSL: `lobe_glint_ndf_probability`.
+    #[doc(alias = "lobe_glint_ndf_probability")]
     #[inline]
     pub fn probability(&self, h: impl Into<[R; 3]>, blur: R) -> R {
         let h = h.into();
@@ -52,8 +51,7 @@ impl<R: Real> GlintNdf<R> {
     ///
     /// `blur` is what a light's extent adds to $\alpha^2$ ([`light_blur`]), 0 of a point. Where a detail reflects
     /// with a probability below $10^{-30}$, and where details are mirrors under a point, 1. 0 below the horizon.
-    ///
-    /// WGSL: `lobe_glint_ndf_sparkle`.
+    #[doc(alias = "lobe_glint_ndf_sparkle")]
     pub fn sparkle(&self, h: impl Into<[R; 3]>, blur: R) -> R {
         let mut sum = R::ZERO;
         match self.mixed(h.into(), blur, |_, part, _| sum = sum + part) {
@@ -80,8 +78,7 @@ impl<R: Real> GlintNdf<R> {
     /// assert!(pixel.colored_sparkle(h, 0.0, hue_wheel).iter().all(|x| *x >= 0.0));
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_glint_ndf_colored_sparkle`, with the hue wheel.
+    #[doc(alias = "lobe_glint_ndf_colored_sparkle")]
     pub fn colored_sparkle(
         &self,
         h: impl Into<[R; 3]>,
@@ -100,8 +97,7 @@ impl<R: Real> GlintNdf<R> {
     }
 
     /// Slope density at the slope of the unit normal `h`: that of the smooth lobe times the sparkle.
-    ///
-    /// WGSL: `lobe_glint_ndf_slope_pdf`.
+    #[doc(alias = "lobe_glint_ndf_slope_pdf")]
     pub fn slope_pdf(&self, h: impl Into<[R; 3]>, blur: R) -> R {
         let h = h.into();
         if !(h[2] > R::ZERO) {
@@ -113,8 +109,7 @@ impl<R: Real> GlintNdf<R> {
 
     /// The BRDF without Fresnel, as [`Ndf::brdf`] of the smooth lobe, times the sparkle, under a light that appears
     /// with this radius, in radians (0: a point).
-    ///
-    /// WGSL: `lobe_glint_ndf_brdf`.
+    #[doc(alias = "lobe_glint_ndf_brdf")]
     pub fn brdf(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>, radius: R) -> R {
         let (wo, wi) = (wo.into(), wi.into());
         let brdf = self.smooth().brdf(wo, wi);

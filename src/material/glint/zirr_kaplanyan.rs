@@ -68,8 +68,6 @@ impl<R: Real> ZirrKaplanyan<R> {
     ///
     /// # Errors
     /// [`Error::Density`] unless in $[10^{-18}, 10^{18}]$.
-    ///
-    /// WGSL: none, it stands for comparison.
     pub fn new(biscale: Biscale<R>, density: R) -> Result<Self, Error> {
         let most = R::LARGEST * R::LARGEST;
         if !(density >= R::ONE / most && density <= most) {
@@ -79,8 +77,6 @@ impl<R: Real> ZirrKaplanyan<R> {
     }
 
     /// Density of normals at the unit half vector `h`, under a light of radius `gamma` with `cosine` $= w_i \cdot h$.
-    ///
-    /// WGSL: none, it stands for comparison.
     pub fn d(&self, patch: &Patch<R>, h: impl Into<[R; 3]>, cosine: R, gamma: R) -> R {
         let h = h.into();
         if !(h[2] > R::ZERO) {
@@ -103,8 +99,6 @@ impl<R: Real> ZirrKaplanyan<R> {
 
     /// Calls `f` with every cell that the loops reach. Shares of a pixel that they cut short do not sum to 1: of each
     /// level, they count against each other.
-    ///
-    /// WGSL: none, it stands for comparison.
     pub fn visit(&self, patch: &Patch<R>, mut f: impl FnMut(CoveredCell<R>)) {
         let mut left = CELLS;
         let (grid, median) = self.grid(patch);
@@ -128,8 +122,6 @@ impl<R: Real> ZirrKaplanyan<R> {
     }
 
     /// Probability that a detail reflects: D over that of one detail along its normal, at most 1, and the light's share.
-    ///
-    /// WGSL: none, it stands for comparison.
     pub fn probability(&self, h: impl Into<[R; 3]>, cosine: R, gamma: R) -> R {
         let (h, zero, one) = (h.into(), R::ZERO, R::ONE);
         let local = self.biscale.local().matrix().root_det();
@@ -219,8 +211,6 @@ fn erf_inverse<R: Real>(u: R) -> R {
 /// assert!((Binomial::new(1e4_f64, 1e-3).draw(1e-3) - 21.0).abs() < 1.0);
 /// assert!((zirr_kaplanyan_count(0.999_f64, 1e4, 1e-3) - 16.9).abs() < 0.1);
 /// ```
-///
-/// WGSL: none, it stands for comparison.
 pub fn zirr_kaplanyan_count<R: Real>(u: R, n: R, p: R) -> R {
     let (zero, one) = (R::ZERO, R::ONE);
     if p >= one {

@@ -34,8 +34,6 @@ pub struct CubeMap<R, T> {
 
 impl<R: Real, T: AsRef<[[R; 3]]>> CubeMap<R, T> {
     /// How many texels a map of `face` texels a side has with its mip chain: 8 `face`^2 - 2.
-    ///
-    /// WGSL: none, a texture there.
     pub fn texels(face: usize) -> usize {
         face.saturating_mul(face).saturating_mul(8).saturating_sub(2)
     }
@@ -45,8 +43,6 @@ impl<R: Real, T: AsRef<[[R; 3]]>> CubeMap<R, T> {
     ///
     /// # Errors
     /// [`Error::MapSize`].
-    ///
-    /// WGSL: none, a texture there.
     pub fn new(face: usize, mut texels: T) -> Result<Self, Error>
     where
         T: AsMut<[[R; 3]]>,
@@ -76,15 +72,11 @@ impl<R: Real, T: AsRef<[[R; 3]]>> CubeMap<R, T> {
     }
 
     /// Texels a side of the finest level.
-    ///
-    /// WGSL: none, a builtin there.
     pub fn face(&self) -> usize {
         self.face
     }
 
     /// Radiance from `direction` (any length) at a level of detail, which is kept between the first level and the last.
-    ///
-    /// WGSL: none, a sampler's there.
     pub fn lookup(&self, direction: impl Into<[R; 3]>, lod: R) -> [R; 3] {
         let direction = direction.into();
         let last = self.last;

@@ -30,8 +30,6 @@ impl<R: Real> Leadr<R> {
     /// assert!(surface.diffuse(wo, &grid, sum, lit)[0] > 1.5 * wo[2]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, a loop over `lobe_leadr_facet` there.
     pub fn diffuse<const N: usize>(
         &self,
         wo: impl Into<[R; 3]>,

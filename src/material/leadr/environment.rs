@@ -13,8 +13,6 @@ use crate::scalar::Real;
 /// Functions `Fn([R; 3], R) -> [R; 3]` are lights. Directions are unit vectors of the surface's tangent frame.
 pub trait Light<R> {
     /// Radiance from the direction `wi`, averaged over `solid_angle` around it, in three channels.
-    ///
-    /// WGSL: none, a caller's loop looks it up there.
     fn radiance(&self, wi: [R; 3], solid_angle: R) -> [R; 3];
 }
 
@@ -65,8 +63,6 @@ impl<R: Real> Leadr<R> {
     /// assert!((red - 0.3).abs() < 1e-3 && blue > 0.9);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, a loop over `lobe_leadr_facet` there, with the shader's own textures.
     pub fn environment<const N: usize>(
         &self,
         wo: impl Into<[R; 3]>,

@@ -50,8 +50,6 @@ fn harmonics<R: Real>([x, y, z]: [R; 3]) -> [R; 9] {
 
 impl<R: Real> Irradiance<R> {
     /// No light.
-    ///
-    /// WGSL: none, nine uniforms there.
     pub fn dark() -> Self {
         Self { coefficients: [[R::ZERO; 3]; 9] }
     }
@@ -65,8 +63,6 @@ impl<R: Real> Irradiance<R> {
     /// let facing = sun.at([0.0, 0.0, 1.0])[0];
     /// assert!((facing - 1.0625).abs() < 1e-6); // of 1: the second order's own error
     /// ```
-    ///
-    /// WGSL: none, nine uniforms there.
     pub fn add_directional(&mut self, direction: impl Into<[R; 3]>, irradiance: [R; 3]) {
         let at = harmonics(normalize(direction));
         for (sum, y) in self.coefficients.iter_mut().zip(at) {
@@ -77,8 +73,6 @@ impl<R: Real> Irradiance<R> {
     /// Adds light from everywhere: `rows` x 2 `rows` directions of equal solid angle; none of 0 rows.
     ///
     /// Under even light 8 rows are within 1 %, 64 within 0.02 %.
-    ///
-    /// WGSL: none, nine uniforms there.
     pub fn add_light(&mut self, light: &impl Light<R>, rows: usize) {
         let columns = 2 * rows;
         let solid_angle = 4.0 * core::f64::consts::PI / (rows * columns).max(1) as f64;
@@ -99,8 +93,6 @@ impl<R: Real> Irradiance<R> {
     /// Irradiance on a facet of a unit normal; not below 0.
     ///
     /// $E(m) = \pi L_{00} Y_{00} + \frac{2\pi}{3} \sum L_{1m} Y_{1m} + \frac{\pi}{4} \sum L_{2m} Y_{2m}$.
-    ///
-    /// WGSL: none, nine uniforms there.
     pub fn at(&self, normal: impl Into<[R; 3]>) -> [R; 3] {
         let at = harmonics(normal.into());
         let pi = core::f64::consts::PI;

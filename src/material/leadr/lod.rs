@@ -15,8 +15,7 @@ use crate::scalar::Real;
 /// assert!(cube_lod(texel, 64.0).abs() < 1e-15);
 /// assert!((cube_lod(16.0 * texel, 64.0) - 2.0).abs() < 1e-15);
 /// ```
-///
-/// WGSL: `lobe_cube_lod`.
+#[doc(alias = "lobe_cube_lod")]
 pub fn cube_lod<R: Real>(solid_angle: R, face: R) -> R {
     let texels = R::lit(1.5 * core::f64::consts::FRAC_1_PI) * solid_angle;
     log_two(texels) * R::HALF + log_two(face)
@@ -37,8 +36,6 @@ pub fn cube_lod<R: Real>(solid_angle: R, face: R) -> R {
 /// let difference = |nodes| dupuy_cube_lod(0.01_f64, 64.0, nodes) - cube_lod(0.01, 64.0);
 /// assert!((difference(128) + 0.944).abs() < 1e-3 && (difference(5) - 1.036).abs() < 1e-3);
 /// ```
-///
-/// WGSL: none, [`cube_lod`] plus a constant there.
 pub fn dupuy_cube_lod<R: Real>(solid_angle: R, face: R, nodes: usize) -> R {
     // log2(2 pi^(-3/2)); the listing rounds it to -1.48, and writes 0.5 and -0.5 with the biases in.
     let constant = R::lit(-1.477_244_194_208_478);

@@ -43,8 +43,6 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
     /// assert_eq!(three.nodes(), &[-1.5, 0.0, 1.5]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, a grid is an array of constants there.
     pub fn uniform(spacing: R) -> Result<Self, Error> {
         if N == 0 {
             return Err(Error::NoNode);
@@ -61,8 +59,6 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
     /// of 1.8 for up to 5 nodes, from there in proportion to N - 1 until it is 3.
     ///
     /// Source: Dupuy et al. 2013, section 3.4.
-    ///
-    /// WGSL: none, a grid is an array of constants there.
     pub fn dupuy() -> Self {
         let gaps = N.saturating_sub(1).max(1) as f64;
         Self::spaced(2.0 * (0.45 * gaps).clamp(1.8, 3.0) / gaps)
@@ -86,8 +82,6 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
     /// assert!((grid.nodes()[1] - (2.0 / core::f64::consts::PI).sqrt()).abs() < 1e-14);
     /// assert_eq!(grid.weights(), &[0.5, 0.5]);
     /// ```
-    ///
-    /// WGSL: none, a grid is an array of constants there.
     pub fn cells() -> Self {
         let count = N as f64;
         let reach = 1.0 + 0.35 * Real::ln(count.max(1.0));
@@ -128,8 +122,6 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
     /// assert!((three.nodes()[2] - 3.0_f64.sqrt()).abs() < 1e-14);
     /// assert!((three.weights()[1] - 2.0 / 3.0).abs() < 1e-14);
     /// ```
-    ///
-    /// WGSL: none, a grid is an array of constants there.
     pub fn hermite() -> Self {
         let mut nodes = [0.0; N];
         for k in 0..N / 2 {
@@ -172,8 +164,6 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
     ///
     /// # Panics
     /// If one is not below N.
-    ///
-    /// WGSL: none, a grid is an array of constants there.
     #[inline]
     pub fn node(&self, j: usize, k: usize) -> Node<R> {
         Node {
@@ -184,22 +174,16 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
     }
 
     /// Positions in standard deviations, ascending.
-    ///
-    /// WGSL: none, a grid is an array of constants there.
     pub fn nodes(&self) -> &[R; N] {
         &self.nodes
     }
 
     /// Weights; their sum is 1.
-    ///
-    /// WGSL: none, a grid is an array of constants there.
     pub fn weights(&self) -> &[R; N] {
         &self.weights
     }
 
     /// How much of the axis a node stands for, in standard deviations: its weight over the normal density.
-    ///
-    /// WGSL: none, a grid is an array of constants there.
     pub fn widths(&self) -> &[R; N] {
         &self.widths
     }

@@ -36,6 +36,7 @@ pub enum Shadowing {
 /// assert!(radiance > 0.0 && radiance <= surface.brdf_cos(wo, wi, Shadowing::MaskingOnly));
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobeLeadr")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leadr<R: Real> {
     ndf: Beckmann<NonCentered<Anisotropic<R>>>,
@@ -47,6 +48,7 @@ pub struct Leadr<R: Real> {
 }
 
 /// A node of a grid of N x N, in standard deviations.
+#[doc(alias = "LobeNode")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node<R> {
     /// Where: independent deviations along two axes.
@@ -58,6 +60,7 @@ pub struct Node<R> {
 }
 
 /// A facet that a grid's node stands for.
+#[doc(alias = "LobeFacet")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facet<R> {
     /// Its unit normal.
@@ -77,8 +80,7 @@ impl<R: Real> Leadr<R> {
     /// The surface of a lobe: its mean slope, and its covariance $A/2$.
     ///
     /// From maps: [`SlopeMoments::lobe`](crate::SlopeMoments::lobe), with the base roughness 0 or that of the facets.
-    ///
-    /// WGSL: `lobe_leadr_new`.
+    #[doc(alias = "lobe_leadr_new")]
     pub fn new(lobe: &Lobe<R>) -> Self {
         let covariance = lobe.roughness().covariance();
         Self {
@@ -90,8 +92,6 @@ impl<R: Real> Leadr<R> {
     }
 
     /// The distribution underneath: density, projected area, masking.
-    ///
-    /// WGSL: none, a field there.
     pub fn ndf(&self) -> &Beckmann<NonCentered<Anisotropic<R>>> {
         &self.ndf
     }
@@ -104,8 +104,8 @@ impl<R: Real> Leadr<R> {
     ///
     /// Source: Dupuy et al. 2013, section 3.3, with $\Lambda$ exact instead of Walter's fit, the half vector in the
     /// tangent frame (the listing passes the world's), and no normalization of a zero at normal incidence.
-    ///
-    /// WGSL: `lobe_leadr_brdf_cos`, `lobe_leadr_unshadowed_brdf_cos`.
+    #[doc(alias = "lobe_leadr_brdf_cos")]
+    #[doc(alias = "lobe_leadr_unshadowed_brdf_cos")]
     pub fn brdf_cos(
         &self,
         wo: impl Into<[R; 3]>,
@@ -136,8 +136,7 @@ impl<R: Real> Leadr<R> {
     /// assert!(surface.light_reaching(wo, [0.96, 0.0, 0.28]) < 0.9);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_leadr_light_reaching`.
+    #[doc(alias = "lobe_leadr_light_reaching")]
     pub fn light_reaching(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> R {
         self.reaching_from(wo.into())(wi.into())
     }
@@ -166,8 +165,7 @@ impl<R: Real> Leadr<R> {
     /// assert_eq!((middle.normal, middle.wi), ([0.0, 0.0, 1.0], [-0.6, 0.0, 0.8]));
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_leadr_facet`.
+    #[doc(alias = "lobe_leadr_facet")]
     #[inline]
     pub fn facet(&self, wo: impl Into<[R; 3]>, node: Node<R>) -> Facet<R> {
         let (wo, place) = (wo.into(), node.place);
@@ -205,8 +203,7 @@ impl<R: Real> Leadr<R> {
     /// assert_eq!(mirror.artificial_facet([0.0, 0.0, 1.0]).area, 0.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_leadr_artificial_facet`.
+    #[doc(alias = "lobe_leadr_artificial_facet")]
     pub fn artificial_facet(&self, wo: impl Into<[R; 3]>) -> Facet<R> {
         let wo = wo.into();
         let n = normal_of(self.mean);

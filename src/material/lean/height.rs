@@ -39,8 +39,6 @@ impl<'a, R: Real> HeightField<'a, R> {
     /// [`Error::MapSize`] unless the heights are as many as the size says, and more than none;
     /// [`Error::Texel`] unless the distances lie in $\[10^{-9}, 10^9\]$, of either sign;
     /// [`Error::Displacement`] unless it lies in $\[-10^9, 10^9\]$.
-    ///
-    /// WGSL: none, maps are read on the CPU.
     pub fn new(
         size: [usize; 2],
         heights: &'a [R],
@@ -70,8 +68,6 @@ impl<'a, R: Real> HeightField<'a, R> {
     ///
     /// # Errors
     /// [`Error::Length`] unless `out` is whole rows of the map, from `first` on.
-    ///
-    /// WGSL: none, maps are read on the CPU.
     pub fn slopes(
         &self,
         cap: SlopeCap<R>,

@@ -92,8 +92,6 @@ impl<R: Real> MomentMap<R> {
     /// # Errors
     /// [`Error::MapSize`] unless the slopes are as many as the size says, and more than none; [`Error::Mean`] if one is
     /// beyond $10^9$ or NaN.
-    ///
-    /// WGSL: none, maps are built on the CPU.
     pub fn from_slopes(
         size: [usize; 2],
         slopes: Vec<[R; 2]>,
@@ -115,8 +113,6 @@ impl<R: Real> MomentMap<R> {
     /// assert_eq!(two, MomentMap::from_slopes([8, 8], slopes, Border::Wrap)?);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, maps are built on the CPU.
     #[cfg(feature = "std")]
     pub fn from_slopes_by(
         size: [usize; 2],
@@ -131,8 +127,6 @@ impl<R: Real> MomentMap<R> {
     ///
     /// # Errors
     /// As [`MomentMap::from_slopes`].
-    ///
-    /// WGSL: none, maps are built on the CPU.
     pub fn from_normals<T: NormalTexel>(
         size: [usize; 2],
         texels: &[T],
@@ -182,37 +176,27 @@ impl<R: Real> MomentMap<R> {
     }
 
     /// How many levels there are, the map itself included.
-    ///
-    /// WGSL: none, a builtin there.
     pub fn levels(&self) -> usize {
         1 + self.levels.len()
     }
 
     /// Width and height of a level; of levels beyond the last, the last one's.
-    ///
-    /// WGSL: none, a builtin there.
     pub fn size(&self, level: usize) -> [usize; 2] {
         let level = level.min(self.levels.len());
         self.size.map(|n| (n >> level).max(1))
     }
 
     /// What lies beyond the edges.
-    ///
-    /// WGSL: none, a sampler's there.
     pub fn border(&self) -> Border {
         self.border
     }
 
     /// The map itself, by rows: the slopes of level 0.
-    ///
-    /// WGSL: none, a texture there.
     pub fn slopes(&self) -> &[[R; 2]] {
         &self.slopes
     }
 
     /// The moments of a texel; level, column and row beyond the last count as the last.
-    ///
-    /// WGSL: none, a texture there.
     #[inline]
     pub fn texel(&self, level: usize, column: usize, row: usize) -> SlopeMoments<R> {
         match level {
@@ -258,8 +242,6 @@ impl<R: Real> MomentMap<R> {
     /// assert_eq!(level.len(), 1);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, a texture there.
     pub fn level(&self, level: usize) -> impl Iterator<Item = SlopeMoments<R>> + '_ {
         let [width, height] = self.size(level);
         (0..width * height).map(move |place| self.texel(level, place % width, place / width))
@@ -268,15 +250,11 @@ impl<R: Real> MomentMap<R> {
     /// The largest magnitude of a slope's component: what a stored range must hold.
     ///
     /// One steep texel sets it, and with it the alpha floor of all: a lower cap may lose less.
-    ///
-    /// WGSL: none, maps are built on the CPU.
     pub fn range(&self) -> R {
         self.slopes.iter().flatten().fold(R::ZERO, |most, x| x.abs().max(most))
     }
 
     /// Bytes of the slopes, of all levels and of weights.
-    ///
-    /// WGSL: none, maps are built on the CPU.
     pub fn bytes(&self) -> usize {
         core::mem::size_of_val(&self.slopes[..])
             + self.levels.iter().map(|level| core::mem::size_of_val(&level[..])).sum::<usize>()

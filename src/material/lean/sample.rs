@@ -35,8 +35,6 @@ impl<R: Real> MomentMap<R> {
     /// assert_eq!(between.covariance().entries()[0], 0.25);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, a sampler interpolates raw moments there: `lobe_slope_moments_from_raw`.
     pub fn bilinear(&self, level: usize, uv: impl Into<[R; 2]>) -> SlopeMoments<R> {
         let corners = self.corners(level, uv.into());
         let (shares, _) = self.by_weight(corners.shares, |k| self.weight_of(&corners, k));
@@ -55,8 +53,6 @@ impl<R: Real> MomentMap<R> {
     /// assert_eq!(map.trilinear([0.25, 0.5], 9.0).mean(), [0.5, 0.0]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, a sampler does it there.
     pub fn trilinear(&self, uv: impl Into<[R; 2]>, lod: R) -> SlopeMoments<R> {
         let (level, share) = self.levels_around(lod);
         self.absolute(self.between_levels(uv.into(), level, share).0)
@@ -108,8 +104,6 @@ impl<R: Real> MomentMap<R> {
     /// assert!(across.covariance().trace() > 0.2 && along.covariance().trace() < 0.01);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, a sampler does it there.
     pub fn anisotropic(
         &self,
         uv: impl Into<[R; 2]>,

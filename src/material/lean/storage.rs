@@ -30,21 +30,15 @@ pub trait Storage {
 
     /// The nearest texel. Slopes beyond the layout's range have none: they are stored as its end, where a map's
     /// [`MomentMap::range`](super::MomentMap::range) tells which range it needs.
-    ///
-    /// WGSL: none, textures are written on the CPU.
     fn encode(&self, moments: &SlopeMoments<f32>) -> [Self::Word; 5];
 
     /// The raw moments of a texel, $\mathrm{E}\,s$ and $\mathrm{E}\,s s^T$.
-    ///
-    /// WGSL: none, a texture gives them there.
     fn raw(&self, texel: [Self::Word; 5]) -> ([f32; 2], [f32; 3]);
 
     /// Mean and covariance of a texel: [`SlopeMoments::from_raw`].
     ///
     /// # Errors
     /// [`Error::Mean`] or [`Error::MatrixEntry`] of floats that are no moments.
-    ///
-    /// WGSL: none, `lobe_slope_moments_from_raw` and `lobe_slope_moments_from_unorm` there.
     fn decode(&self, texel: [Self::Word; 5]) -> Result<SlopeMoments<f32>, Error> {
         let (mean, second) = self.raw(texel);
         SlopeMoments::from_raw(mean, second)
@@ -58,8 +52,6 @@ pub trait Storage {
     /// have 0.0087, 0.038 and 4.2e-4 or more: the mean's error counts twice its slope.) Not in it: mending an indefinite
     /// difference, which moves entries once more by as much; a decoder's own rounding, of the size of what it gives; and
     /// interpolation in hardware.
-    ///
-    /// WGSL: none, textures are written on the CPU.
     fn alpha_floor(&self) -> f32;
 }
 
@@ -104,8 +96,6 @@ impl Float32 {
     ///
     /// # Errors
     /// [`Error::Range`] unless it lies in $(10^{-9}, 10^9]$.
-    ///
-    /// WGSL: none, textures are written on the CPU.
     pub fn new(range: f32) -> Result<Self, Error> {
         Ok(Self { range: checked(range)? })
     }
@@ -134,8 +124,6 @@ impl Float16 {
     ///
     /// # Errors
     /// [`Error::HalfRange`] unless it lies in $(10^{-9}, 255]$.
-    ///
-    /// WGSL: none, textures are written on the CPU.
     pub fn new(range: f32) -> Result<Self, Error> {
         if range > 1e-9 && range <= 255.0 {
             Ok(Self { range })
@@ -177,8 +165,6 @@ impl Unorm16 {
     ///
     /// # Errors
     /// [`Error::Range`] unless it lies in $(10^{-9}, 10^9]$.
-    ///
-    /// WGSL: none, textures are written on the CPU.
     pub fn new(range: f32) -> Result<Self, Error> {
         Ok(Self { range: checked(range)? })
     }
@@ -254,8 +240,7 @@ impl<R: Real> SlopeMoments<R> {
     /// assert!(moments.mean()[0].abs() < 1e-6 && moments.covariance().trace() < 1e-12);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_slope_moments_from_unorm`.
+    #[doc(alias = "lobe_slope_moments_from_unorm")]
     pub fn from_unorm(mean: [R; 2], second: [R; 3], range: R) -> Result<Self, Error> {
         let (mean, second) = raw_of_unorm(mean, second, range);
         Self::from_raw(mean, second)

@@ -16,8 +16,6 @@ use core::ops::Add;
 /// ignored.
 pub trait NormalTexel: Copy {
     /// The normal, not normalized.
-    ///
-    /// WGSL: none, a texture gives it there.
     fn normal<R: Real>(self) -> [R; 3];
 }
 
@@ -111,8 +109,6 @@ impl ClippedTexels {
     /// use lobe::material::lean::ClippedTexels;
     /// assert_eq!(ClippedTexels { texels: 1, of: 4 }.fraction(), 0.25);
     /// ```
-    ///
-    /// WGSL: none, maps are read on the CPU.
     pub fn fraction(&self) -> f64 {
         if self.of == 0 { 0.0 } else { self.texels as f64 / self.of as f64 }
     }
@@ -128,8 +124,6 @@ impl Add for ClippedTexels {
     /// let band = ClippedTexels { texels: 1, of: 4 };
     /// assert_eq!(band + ClippedTexels::default(), band);
     /// ```
-    ///
-    /// WGSL: none, maps are read on the CPU.
     fn add(self, other: Self) -> Self {
         Self { texels: self.texels + other.texels, of: self.of + other.of }
     }
@@ -140,8 +134,6 @@ impl<R: Real> SlopeCap<R> {
     ///
     /// # Errors
     /// [`Error::Cap`] unless it lies in $(0, 10^9]$.
-    ///
-    /// WGSL: none, maps are read on the CPU.
     pub fn new(steepest: R) -> Result<Self, Error> {
         if steepest > R::ZERO && steepest <= R::LARGEST {
             Ok(Self { steepest })
@@ -151,8 +143,6 @@ impl<R: Real> SlopeCap<R> {
     }
 
     /// The cap's slope.
-    ///
-    /// WGSL: none, maps are read on the CPU.
     pub fn steepest(&self) -> R {
         self.steepest
     }
@@ -161,8 +151,6 @@ impl<R: Real> SlopeCap<R> {
     ///
     /// A normal at or below the horizon has the cap's length, towards where it points; one without a direction (0,
     /// straight down, infinite, NaN) is flat, and counts as touched.
-    ///
-    /// WGSL: none, maps are read on the CPU.
     #[inline]
     pub fn slope(&self, texel: impl NormalTexel) -> ([R; 2], bool) {
         let [x, y, z] = texel.normal::<R>();
@@ -178,8 +166,6 @@ impl<R: Real> SlopeCap<R> {
     /// assert_eq!(cap.limited([3.0, 4.0]), ([3.0, 4.0], false));
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, maps are read on the CPU.
     #[inline]
     pub fn limited(&self, slope: impl Into<[R; 2]>) -> ([R; 2], bool) {
         self.within(slope.into(), R::ONE)
@@ -228,8 +214,6 @@ impl<R: Real> SlopeCap<R> {
     /// assert_eq!(clipped, ClippedTexels { texels: 1, of: 2 });
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, maps are read on the CPU.
     pub fn slopes<T: NormalTexel>(
         &self,
         texels: &[T],

@@ -41,8 +41,6 @@ impl<R: Real> MomentMap<R> {
     ///
     /// Source: Olano & Baker 2010 for the moments; Gortler et al. 1996 (pull and push) for texels without
     /// weight.
-    ///
-    /// WGSL: none, maps are built on the CPU.
     pub fn from_weighted_slopes(
         size: [usize; 2],
         slopes: Vec<[R; 2]>,
@@ -67,8 +65,6 @@ impl<R: Real> MomentMap<R> {
     /// assert_eq!(one, two);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, maps are built on the CPU.
     #[cfg(feature = "std")]
     pub fn from_weighted_slopes_by(
         size: [usize; 2],
@@ -85,8 +81,6 @@ impl<R: Real> MomentMap<R> {
     /// A texel's weight, of the map's largest, in \[0, 1\]: the mean of the weights that it covers; 1 of a map without.
     ///
     /// Level, column and row beyond the last count as the last.
-    ///
-    /// WGSL: none, a texture there.
     pub fn weight(&self, level: usize, column: usize, row: usize) -> R {
         let level = level.min(self.levels() - 1);
         self.weights.get(level).map_or(R::ONE, |weights| weights[self.place(level, column, row)])

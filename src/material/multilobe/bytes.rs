@@ -36,8 +36,6 @@ impl Dictionary<f32> {
     /// assert!(matches!(Dictionary::from_bytes(&bytes), Err(Error::DictionaryChecksum { .. })));
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, [`Dictionary::nodes`] go into a buffer there.
     pub fn to_bytes(&self) -> Vec<u8> {
         let Recipe { marginals, levels, intervals, width, means, seed } = *self.recipe();
         let means = match means {
@@ -65,8 +63,6 @@ impl Dictionary<f32> {
     /// [`Error::DictionaryMagic`] of what are no bytes of a dictionary; [`Error::DictionaryVersion`] of another layout;
     /// those of [`Dictionary::new`] and [`Error::LobeMeans`] of a recipe out of range; [`Error::DictionaryLength`] of too few bytes or too many;
     /// [`Error::DictionaryChecksum`] of damaged ones; [`Error::DictionaryDensity`] of nodes that are no densities of integral 1.
-    ///
-    /// WGSL: none, [`Dictionary::nodes`] go into a buffer there.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
         if bytes.len() < MAGIC.len() || bytes[..MAGIC.len()] != MAGIC {
             return Err(Error::DictionaryMagic);

@@ -33,6 +33,7 @@ use crate::scalar::Real;
 /// assert!((sum - 1.0).abs() < 1e-3);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobeDictionary")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dictionary<R> {
     recipe: Recipe,
@@ -45,8 +46,6 @@ impl<R: Real> Dictionary<R> {
     /// # Errors
     /// [`Error::Marginals`], [`Error::Levels`], [`Error::Intervals`], [`Error::LobeWidth`] outside the
     /// ranges of [`Recipe`].
-    ///
-    /// WGSL: none, [`Dictionary::nodes`] go into a buffer there.
     pub fn new(recipe: &Recipe) -> Result<Self, Error> {
         recipe.check()?;
         let nodes = tables(recipe).into_iter().map(|node| node.map(R::lit)).collect();
@@ -59,29 +58,22 @@ impl<R: Real> Dictionary<R> {
     }
 
     /// What it was made by.
-    ///
-    /// WGSL: none, it stays on the CPU.
     pub fn recipe(&self) -> &Recipe {
         &self.recipe
     }
 
     /// Density and cumulative, from 0 on, of every node: of marginal after marginal, level after level in each.
-    ///
-    /// WGSL: none, the buffer or texture `lobe_dictionary` holds them there.
     pub fn nodes(&self) -> &[[R; 2]] {
         &self.nodes
     }
 
     /// Bytes that the nodes take.
-    ///
-    /// WGSL: none, it stays on the CPU.
     pub fn bytes(&self) -> usize {
         size_of_val(self.nodes.as_slice())
     }
 
     /// One marginal on one level; the last ones for numbers beyond.
-    ///
-    /// WGSL: `lobe_dictionary_marginal`.
+    #[doc(alias = "lobe_dictionary_marginal")]
     #[inline]
     pub fn marginal(&self, index: u32, level: u32) -> Marginal<'_, R> {
         let Recipe { marginals, levels, intervals, .. } = self.recipe;

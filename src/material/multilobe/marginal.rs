@@ -21,6 +21,7 @@ use crate::scalar::Real;
 /// assert!((0.5 + x * marginal.mean(0.5 * x, x) - 0.9).abs() < 1e-12);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobeMarginal")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Marginal<'a, R> {
     /// Density and cumulative from 0 on.
@@ -75,8 +76,7 @@ impl<'a, R: Real> Marginal<'a, R> {
     }
 
     /// The density at `x`, in deviations; 0 beyond 4, and for NaN.
-    ///
-    /// WGSL: `lobe_marginal_density`.
+    #[doc(alias = "lobe_marginal_density")]
     #[inline]
     pub fn density(&self, x: R) -> R {
         let place = x.abs() * self.scale();
@@ -93,8 +93,7 @@ impl<'a, R: Real> Marginal<'a, R> {
     /// of 1 or of the mean, whichever is more; of 4096 to 2e-3.
     ///
     /// Source: in place of Chermain et al. 2021a, Eq. 19, whose hardware lookup is [`Marginal::mip_mean`].
-    ///
-    /// WGSL: `lobe_marginal_mean`.
+    #[doc(alias = "lobe_marginal_mean")]
     #[inline]
     pub fn mean(&self, x: R, width: R) -> R {
         let (scale, end) = (self.scale(), R::lit(f64::from(self.intervals())));
@@ -147,8 +146,6 @@ impl<'a, R: Real> Marginal<'a, R> {
     /// assert!((marginal.mip_mean(1.0, 100.0) - 0.125).abs() < 1e-12);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, it stands for comparison.
     pub fn mip_mean(&self, x: R, derivative: R) -> R {
         let place = x.abs() * self.scale();
         let intervals = R::lit(f64::from(self.intervals()));
@@ -181,8 +178,7 @@ impl<'a, R: Real> Marginal<'a, R> {
     }
 
     /// The `x` below which a share `u` of the density lies, with u in [0, 1]: exact for the linear interpolant.
-    ///
-    /// WGSL: `lobe_marginal_quantile`.
+    #[doc(alias = "lobe_marginal_quantile")]
     pub fn quantile(&self, u: R) -> R {
         let (zero, one) = (R::ZERO, R::ONE);
         let offset = u.max(zero).min(one) - R::HALF;

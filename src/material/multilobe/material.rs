@@ -27,6 +27,7 @@ use crate::slope::Roughness;
 /// assert!(pixel.brdf([0.6, 0.0, 0.8], [-0.28, 0.0, 0.96]) >= 0.0);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+#[doc(alias = "LobeMultiLobe")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MultiLobe<R> {
     pub(super) roughness: Roughness<R>,
@@ -46,8 +47,7 @@ impl<R: Real> MultiLobe<R> {
     ///
     /// # Errors
     /// [`Error::Facets`] unless in $[10^{-18}, 10^{30}]$.
-    ///
-    /// WGSL: `lobe_multi_lobe_new`.
+    #[doc(alias = "lobe_multi_lobe_new")]
     pub fn new(roughness: Roughness<R>, density: R) -> Result<Self, Error> {
         if !(density >= R::lit(1e-18) && density <= R::lit(1e30)) {
             return Err(Error::Facets(density.into()));
@@ -59,8 +59,6 @@ impl<R: Real> MultiLobe<R> {
     ///
     /// # Errors
     /// [`Error::Variation`] outside [0, 4].
-    ///
-    /// WGSL: none, a field there.
     pub fn with_variation(self, variation: R) -> Result<Self, Error> {
         if !(variation >= R::ZERO && variation <= R::lit(4.0)) {
             return Err(Error::Variation(variation.into()));
@@ -74,8 +72,6 @@ impl<R: Real> MultiLobe<R> {
     ///
     /// # Errors
     /// [`Error::Share`] outside [0, 1].
-    ///
-    /// WGSL: none, a field there.
     pub fn with_share(self, share: R) -> Result<Self, Error> {
         if !(share >= R::ZERO && share <= R::ONE) {
             return Err(Error::Share(share.into()));
@@ -84,23 +80,18 @@ impl<R: Real> MultiLobe<R> {
     }
 
     /// With other random numbers.
-    ///
-    /// WGSL: none, a field there.
     #[must_use]
     pub fn with_seed(self, seed: u32) -> Self {
         Self { seed, ..self }
     }
 
     /// The roughness from afar.
-    ///
-    /// WGSL: none, a field there.
     pub fn roughness(&self) -> Roughness<R> {
         self.roughness
     }
 
     /// Side of the square that has one facet at this density: smaller pixels show what one of this size does.
-    ///
-    /// WGSL: `lobe_multi_lobe_facet_size`.
+    #[doc(alias = "lobe_multi_lobe_facet_size")]
     pub fn facet_size(&self) -> R {
         R::ONE / self.density.sqrt()
     }

@@ -38,6 +38,7 @@ use crate::slope::{Anisotropic, Footprint, LobeShape, MeanFrame, Roughness, Slop
 /// of the slopes, as no masking of cavities with another mean is known.
 ///
 /// Source: Chermain et al. 2020; 2021a, Eq. 3 to 6, 10, 15 and 18.
+#[doc(alias = "LobePatchNdf")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PatchNdf<'a, R> {
     dictionary: &'a Dictionary<R>,
@@ -54,8 +55,7 @@ impl<R: Real> MultiLobe<R> {
     /// Cells are no smaller than $2^{-20}$ of the distance of `uv` from the tile's corner, in f64 $2^{-28}$: far from the origin
     /// facets of plain coordinates get larger and fade ([`Patch::new`] says where). Coordinates of large surfaces belong into
     /// [`Patch::in_tile`]. NaN counts as 0, and numbers beyond $10^9$ as that.
-    ///
-    /// WGSL: `lobe_multi_lobe_ndf`.
+    #[doc(alias = "lobe_multi_lobe_ndf")]
     #[inline]
     pub fn ndf<'a>(&self, dictionary: &'a Dictionary<R>, patch: &Patch<R>) -> PatchNdf<'a, R> {
         PatchNdf::new(dictionary, self.roughness, Cells::new(self, Ellipse::of(patch)))
@@ -69,15 +69,11 @@ impl<'a, R: Real> PatchNdf<'a, R> {
     }
 
     /// Cells of the finer level have the size $2^k$, k being this.
-    ///
-    /// WGSL: none, a field there.
     pub fn exponent(&self) -> i32 {
         self.cells.exponent
     }
 
     /// How much of the pixel is of the coarser level, in [0, 1].
-    ///
-    /// WGSL: none, a field there.
     pub fn coarser(&self) -> R {
         self.cells.coarser
     }
@@ -89,8 +85,7 @@ impl<'a, R: Real> PatchNdf<'a, R> {
     /// takes them there. Moments with mean 0 change no frame.
     ///
     /// Source: Chermain et al. 2021a, section 5, who leave J out.
-    ///
-    /// WGSL: `lobe_patch_ndf_over`.
+    #[doc(alias = "lobe_patch_ndf_over")]
     #[must_use]
     #[inline]
     pub fn over(&self, moments: &SlopeMoments<R>) -> Self {
@@ -113,8 +108,7 @@ impl<'a, R: Real> PatchNdf<'a, R> {
     ///
     /// Half vectors on the disk: [`DiskKernel::as_slopes`](crate::filter::DiskKernel::as_slopes), as Chermain et al. 2021a,
     /// Eq. 21; slopes: Eq. 20.
-    ///
-    /// WGSL: `lobe_patch_ndf_widened`.
+    #[doc(alias = "lobe_patch_ndf_widened")]
     #[must_use]
     #[inline]
     pub fn widened(&self, kernel: &Kernel<R>) -> Self {
@@ -141,8 +135,6 @@ impl<'a, R: Real> PatchNdf<'a, R> {
     /// assert!(mips >= 0.0 && boxes >= 0.0);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: none, it stands for comparison.
     #[must_use]
     pub fn with_mips(&self, footprint: &Footprint<R>, scale: R) -> Self {
         let [u, v] = [footprint.u, footprint.v].map(|d| d.map(|x| scale * x));
@@ -155,8 +147,7 @@ impl<'a, R: Real> PatchNdf<'a, R> {
     }
 
     /// The smooth lobe that it tends to from afar.
-    ///
-    /// WGSL: `lobe_patch_ndf_smooth`.
+    #[doc(alias = "lobe_patch_ndf_smooth")]
     #[inline]
     pub fn smooth(&self) -> Beckmann<Anisotropic<R>> {
         let widened = match self.mips {
@@ -167,8 +158,7 @@ impl<'a, R: Real> PatchNdf<'a, R> {
     }
 
     /// Density of slopes at a slope: 0 for a mirror that no kernel widens.
-    ///
-    /// WGSL: `lobe_patch_ndf_slope_pdf`.
+    #[doc(alias = "lobe_patch_ndf_slope_pdf")]
     pub fn slope_pdf(&self, slope: impl Into<[R; 2]>) -> R {
         let slope = slope.into();
         let smooth = self.smooth();
@@ -185,8 +175,7 @@ impl<'a, R: Real> PatchNdf<'a, R> {
     }
 
     /// Density of normals, $D(m) = P_{22}(s)/m_z^4$; 0 below the horizon.
-    ///
-    /// WGSL: `lobe_patch_ndf_d`.
+    #[doc(alias = "lobe_patch_ndf_d")]
     #[inline]
     pub fn d(&self, m: impl Into<[R; 3]>) -> R {
         let m = m.into();
@@ -198,8 +187,7 @@ impl<'a, R: Real> PatchNdf<'a, R> {
     }
 
     /// The BRDF without Fresnel, $D G_2/(4 o_z i_z)$; 0 where a direction lies below the horizon.
-    ///
-    /// WGSL: `lobe_patch_ndf_brdf`.
+    #[doc(alias = "lobe_patch_ndf_brdf")]
     #[inline]
     pub fn brdf(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> R {
         let (wo, wi) = (wo.into(), wi.into());
@@ -213,8 +201,6 @@ impl<'a, R: Real> PatchNdf<'a, R> {
     }
 
     /// Masking of a facet, of V-cavities.
-    ///
-    /// WGSL: none, `lobe_cavity_masking` there.
     #[inline]
     pub fn g1(&self, w: impl Into<[R; 3]>, m: impl Into<[R; 3]>) -> R {
         cavity_masking(w, m)

@@ -10,6 +10,7 @@ use crate::scalar::quantile::normal_quantile;
 use crate::slope::direction::{dot, half_vector, normal_of, reflect};
 
 /// A direction that was drawn.
+#[doc(alias = "LobeDirectionSample")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DirectionSample<R> {
     /// Towards the light.
@@ -46,8 +47,7 @@ impl<R: Real> PatchNdf<'_, R> {
     /// assert!((drawn.pdf - pdf).abs() <= 1e-9 * pdf);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    ///
-    /// WGSL: `lobe_patch_ndf_sample`.
+    #[doc(alias = "lobe_patch_ndf_sample")]
     pub fn sample(&self, wo: impl Into<[R; 3]>, u: [R; 7]) -> Option<DirectionSample<R>> {
         let wo = wo.into();
         if !(wo[2] > R::ZERO) {
@@ -70,8 +70,7 @@ impl<R: Real> PatchNdf<'_, R> {
 
     /// Density over solid angle with which [`PatchNdf::sample`] draws `wi`: $G_1(w_o, h) D(h)/(4 o_z)$, 0 for `wo` below the
     /// horizon. Over all `wi`, those below the horizon included, its integral is 1.
-    ///
-    /// WGSL: `lobe_patch_ndf_pdf`.
+    #[doc(alias = "lobe_patch_ndf_pdf")]
     pub fn pdf(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> R {
         let (wo, wi) = (wo.into(), wi.into());
         let h = half_vector(wo, wi);
@@ -84,8 +83,7 @@ impl<R: Real> PatchNdf<'_, R> {
     }
 
     /// A slope of [`PatchNdf::slope_pdf`], by the first six of those numbers.
-    ///
-    /// WGSL: `lobe_patch_ndf_sample_slope`.
+    #[doc(alias = "lobe_patch_ndf_sample_slope")]
     pub fn sample_slope(&self, u: [R; 7]) -> [R; 2] {
         let Some(facets) = self.chosen(u[0]) else {
             return self.sample_smooth([u[1], u[2]]);

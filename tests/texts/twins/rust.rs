@@ -1,13 +1,13 @@
 //! Functions and constants of a Rust file, read without a parser: rustfmt has put each where it can be found.
 
-/// A function: where it lives, whether callers of the crate see it, and its line about WGSL.
+/// A function: where it lives, whether callers of the crate see it, and its names in WGSL.
 #[derive(Clone, Debug)]
 pub(crate) struct Function {
     /// `Type::name`, `Trait::name`, or `name`.
     pub(crate) path: String,
     pub(crate) public: bool,
-    /// What follows `WGSL: ` in its documentation, without the full stop.
-    pub(crate) wgsl: Option<String>,
+    /// Its documentation aliases that begin with `lobe_`.
+    pub(crate) aliases: Vec<String>,
 }
 
 impl Function {
@@ -54,24 +54,31 @@ fn home(line: &str) -> Option<(String, bool)> {
     Some((words(name)?, false))
 }
 
+/// The name in WGSL that an attribute gives as an alias.
+fn alias(attribute: &str) -> Option<String> {
+    let name = attribute.strip_prefix("#[doc(alias = \"")?.strip_suffix("\")]")?;
+    ["lobe_", "Lobe"].iter().any(|prefix| name.starts_with(prefix)).then(|| name.to_owned())
+}
+
+/// All names in WGSL that a file gives as aliases: those of operators stand at their types.
+pub(crate) fn aliases(text: &str) -> Vec<String> {
+    text.lines().filter_map(|line| alias(line.trim())).collect()
+}
+
 /// The functions of a file, tests left out.
 pub(crate) fn functions(text: &str) -> Vec<Function> {
     let text = text.split("#[cfg(test)]").next().unwrap_or_default();
     let (mut found, mut place) = (Vec::new(), (String::new(), false));
-    let (mut wgsl, mut hidden): (Option<String>, bool) = (None, false);
+    let (mut aliases, mut hidden) = (Vec::new(), false);
     for line in text.lines() {
         let bare = line.trim_start();
         let indented = line.len() - bare.len();
-        if let Some(comment) = bare.strip_prefix("///") {
-            match (comment.trim().strip_prefix("WGSL: "), &mut wgsl) {
-                (Some(said), _) => wgsl = Some(said.to_owned()),
-                (None, Some(said)) => *said = format!("{said} {}", comment.trim()),
-                _ => {}
-            }
+        if bare.starts_with("///") {
             continue;
         }
         if bare.starts_with("#[") {
             hidden |= bare.contains("doc(hidden)");
+            aliases.extend(alias(bare).filter(|name| name.starts_with("lobe_")));
             continue;
         }
         if indented == 0 {
@@ -96,10 +103,10 @@ pub(crate) fn functions(text: &str) -> Vec<Function> {
             let within = indented > 0 && !place.0.is_empty();
             let path = if within { format!("{}::{name}", place.0) } else { name };
             let public = (stated.is_some() || (within && place.1)) && !hidden;
-            let wgsl = wgsl.take().map(|said| said.trim_end_matches('.').to_owned());
-            found.push(Function { path, public, wgsl });
+            found.push(Function { path, public, aliases: std::mem::take(&mut aliases) });
         }
-        (wgsl, hidden) = (None, false);
+        aliases.clear();
+        hidden = false;
     }
     found
 }
