@@ -4,11 +4,11 @@
 # where they are missing. With node and npm, Chrome's WGSL compiler checks the shaders, too.
 #
 #   ./test.sh          all of it, laws and twins on a share of their cases
-#   ./test.sh --fast   formatting, lints, laws, texts, tools and twins in exact mode: after each edit
-#   ./test.sh --long   all of it at full size, with release builds: about an hour
+#   ./test.sh --fast   formatting, lints, laws, texts, tools and twins in exact mode: after each
+#   edit ./test.sh --long   all of it at full size, with release builds: about an hour
 #
-# Before the last line stands what each step took, the slowest first. The last line is the sum over all
-# test binaries: "N passed, 0 failed".
+# Before the last line stands what each step took, the slowest first. The last line is the sum over
+# all test binaries: "N passed, 0 failed".
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -36,7 +36,11 @@ tests=$(mktemp)
 times=$(mktemp)
 sets=$(mktemp)
 beside=
-trap 'rm -f "$log" "$tests" "$times" "$sets"; [[ -z $beside ]] || kill "$beside" 2>/dev/null || true' EXIT
+tidy() {
+    rm -f "$log" "$tests" "$times" "$sets"
+    [[ -z $beside ]] || kill "$beside" 2>/dev/null || true
+}
+trap tidy EXIT
 
 # step NAME: ends the step before it and begins one.
 current=
@@ -93,7 +97,8 @@ find_lavapipe() {
     return 1
 }
 
-# install_packages PACKAGE...: through apt-get, as root or by sudo without a password; fails where it cannot.
+# install_packages PACKAGE...: through apt-get, as root or by sudo without a password; fails where
+# it cannot.
 install_packages() {
     local root=() try
     command -v apt-get >/dev/null || return 1
@@ -134,15 +139,16 @@ step "Vulkan driver"
 if [[ -z ${VK_DRIVER_FILES:-} ]]; then
     # GPU tests that skip themselves prove nothing, so a driver is installed, or this fails.
     find_lavapipe || { install_packages libvulkan1 mesa-vulkan-drivers && find_lavapipe; } ||
-        fail "the GPU tests need a Vulkan driver: as root, or with sudo, install libvulkan1 and mesa-vulkan-drivers \
-(Debian, Ubuntu), or elsewhere the Vulkan loader and Mesa's lavapipe"
+        fail "the GPU tests need a Vulkan driver: as root, or with sudo, install libvulkan1 and \
+mesa-vulkan-drivers (Debian, Ubuntu), or elsewhere the Vulkan loader and Mesa's lavapipe"
     VK_DRIVER_FILES=$(vulkan_drivers)
 fi
-# The second name is for loaders before 1.3.207; the last one keeps a layer of Mesa's from complaining
-# where there is no desktop.
+# The second name is for loaders before 1.3.207; the last one keeps a layer of Mesa's from
+# complaining where there is no desktop.
 export VK_DRIVER_FILES VK_ICD_FILENAMES=$VK_DRIVER_FILES NODEVICE_SELECT=1
 echo "   $VK_DRIVER_FILES"
-[[ $VK_DRIVER_FILES == *swiftshader* ]] || skip "a second driver: Chromium's SwiftShader is not installed"
+[[ $VK_DRIVER_FILES == *swiftshader* ]] ||
+    skip "a second driver: Chromium's SwiftShader is not installed"
 real_gpu || skip "real GPUs: there is none"
 for checks in "spirv-val spirv-tools" "glslangValidator glslang-tools" "c++ g++" "clang++ clang"; do
     read -r tool package <<<"$checks"
@@ -166,16 +172,19 @@ run_tests() { cargo test "$@" 2>&1 | tee -a "$tests" || failures+=("cargo test $
 feature_sets() {
     local features
     export CARGO_TARGET_DIR=$CARGO_TARGET_DIR/features
-    for features in std libm std,libm std,probe std,glam libm,glam std,libm,glam std,published std,wgsl \
-        std,lean std,leadr std,glint libm,glint,wgsl libm,lean libm,leadr libm,wgsl libm,published,wgsl libm,lean,leadr,published,wgsl; do
+    for features in std libm std,libm std,probe std,glam libm,glam std,libm,glam \
+        std,serde libm,serde,lean,leadr,glint std,bytemuck,wgsl \
+        std,published std,wgsl std,lean std,leadr std,glint libm,glint,wgsl libm,lean libm,leadr \
+        libm,wgsl libm,published,wgsl libm,lean,leadr,published,wgsl; do
         echo "features: $features"
-        cargo clippy --quiet --package lobe --no-default-features --features "$features" -- -D warnings || return
+        cargo clippy --quiet --package lobe --no-default-features --features "$features" \
+            -- -D warnings || return
     done
     refuses "lobe needs one of the features" cargo check --package lobe --no-default-features
 }
 
-# The tools' tests run the examples. All packages are selected in every call: another selection would compile dependencies
-# with other features.
+# The tools' tests run the examples. All packages are selected in every call: another selection
+# would compile dependencies with other features.
 all=(--workspace --features probe)
 step "Tests build"
 if [[ $size == fast ]]; then
@@ -185,13 +194,15 @@ if [[ $size == fast ]]; then
     run_tests "${all[@]}" "${suites[@]}" --no-fail-fast
     step "Tests: twins in exact mode"
     run_tests "${all[@]}" --test drivers exact_mode_equals_rust
-    skip "other tests of the GPU and the report, documentation and its examples, sets of features, no_std, Tint, fuzz targets (--fast)"
+    skip "other tests of the GPU and the report, documentation and its examples, sets of" \
+        "features, no_std, Tint, fuzz targets (--fast)"
 else
     cargo build --quiet "${all[@]}" --lib --bins --examples --tests
     step "Tests: laws, golden tables, corpus, texts, tools, twins"
     run_tests "${all[@]}" --lib --bins --tests --no-fail-fast
 
-    # One crate at a time is compiled for these: they run beside the steps that follow, in a target folder of their own.
+    # One crate at a time is compiled for these: they run beside the steps that follow, in a target
+    # folder of their own.
     feature_sets >"$sets" 2>&1 &
     beside=$!
 
@@ -207,7 +218,8 @@ else
     cargo build --quiet --manifest-path tests/no_std/Cargo.toml --features glam
     refuses "E0152" cargo build --manifest-path tests/no_std/Cargo.toml --features std
 
-    # Chrome's WGSL compiler refuses what naga accepts: derivatives that not every pixel of a quad reaches.
+    # Chrome's WGSL compiler refuses what naga accepts: derivatives that not every pixel of a quad
+    # reaches.
     tint=tests/gpu/tint
     tint_installed() {
         [[ $tint/node_modules/.package-lock.json -nt $tint/package-lock.json ]] ||

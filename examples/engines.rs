@@ -1,6 +1,7 @@
 //! What engines ship, as the table in the documentation of `lobe::filter::engine`.
 //!
-//! `cargo run --example engines > src/filter/engine.md`; tests/texts/documents.rs holds the file to it.
+//! `cargo run --example engines > src/filter/engine.md`; tests/texts/documents.rs holds the file to
+//! it.
 
 use lobe::filter::engine::{AddedVariance, Engine};
 
@@ -16,9 +17,12 @@ const SQUARES: f64 = 0.1;
 /// The table, in Markdown.
 pub(crate) fn table() -> Result<String, lobe::Error> {
     let head = format!(
-        "The last two columns are for alpha = {ALPHA} and t = {SQUARES}, both axes alike: the alpha that is shaded \
-         with, and how much brighter than Tokuyoshi 2017, Eq. 13, its peak is (`cargo run --example engines`).\n\n\
-         | Engine | As shipped | Differentiates | $\\sigma_{{px}}^2$ | c | Cap | alpha' | Peak | What to know |\n\
+        "The last two columns are for alpha = {ALPHA} and t = {SQUARES}, both axes alike: the \
+            alpha that is shaded \
+         with, and how much brighter than Tokuyoshi 2017, Eq. 13, its peak is (`cargo run \
+         --example engines`).\n\n\
+         | Engine | As shipped | Differentiates | $\\sigma_{{px}}^2$ | c | Cap | alpha' | Peak | \
+         What to know |\n\
          |---|---|---|---|---|---|---|---|---|\n"
     );
     let step = (0.5 * SQUARES).sqrt();

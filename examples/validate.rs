@@ -2,7 +2,8 @@
 //!
 //! `cargo run --release --example validate -- [DIR] [--json]`. Every CSV in DIR (default: the
 //! golden tables) names a quantity by its stem. Exit status: 0 within budget, 1 if a table exceeds
-//! its budget (tests/budget.rs), 2 if a table cannot be read. `--help` says what f32 is judged by where inputs are no f32.
+//! its budget (tests/budget.rs), 2 if a table cannot be read. `--help` says what f32 is judged by
+//! where inputs are no f32.
 
 #[path = "../tests/budget.rs"]
 mod budget;
@@ -26,18 +27,26 @@ use tables::{Outcome, Quantity, Table, evaluate, read_directory};
 #[command(after_help = "Exit status: 0 within budget, 1 over budget, 2 unreadable tables.\n\
     Relative errors are over the largest expected value of a row, or the smallest normal number.\n\
     \n\
-    Tables: numbers are decimal or, as in C99, hexadecimal (0x1.8p-3); columns are separated by commas and\n\
-    come in any order; blank lines and lines that begin with # are skipped. Files that do not end in .csv\n\
+    Tables: numbers are decimal or, as in C99, hexadecimal (0x1.8p-3); columns are separated by \
+    commas and\n\
+    come in any order; blank lines and lines that begin with # are skipped. Files that do not end \
+    in .csv\n\
     are named and ignored.\n\
     \n\
-    Inputs that no f32 holds, as 0.1: f32 is judged at the nearest f32s, and the expected value is moved\n\
-    there by the library in f64, expected + f64(nearest) - f64(given). f64 is judged by the expected value\n\
-    as it stands. The output counts these rows (rounded) and names the first. Rows whose nearest f32s the\n\
-    library refuses or are 0 for what is none, whose expected value exceeds the range of f32, or whose move\n\
-    cancels (its roundings exceed 1e-9 of the moved value), are left out of f32 and counted; a table of\n\
+    Inputs that no f32 holds, as 0.1: f32 is judged at the nearest f32s, and the expected value \
+    is moved\n\
+    there by the library in f64, expected + f64(nearest) - f64(given). f64 is judged by the \
+    expected value\n\
+    as it stands. The output counts these rows (rounded) and names the first. Rows whose nearest \
+    f32s the\n\
+    library refuses or are 0 for what is none, whose expected value exceeds the range of f32, or \
+    whose move\n\
+    cancels (its roundings exceed 1e-9 of the moved value), are left out of f32 and counted; a \
+    table of\n\
     which no row is left counts as over budget.")]
 struct Options {
-    /// Directory of CSV tables, one quantity each, named by the file's stem [default: the golden tables].
+    /// Directory of CSV tables, one quantity each, named by the file's stem [default: the golden
+    /// tables].
     directory: Option<PathBuf>,
     /// Print a JSON array, one object per table and precision.
     #[arg(long)]
@@ -72,7 +81,8 @@ impl<'a> Line<'a> {
         let precision = if single { "f32" } else { "f64" };
         let table = source.stem.as_str();
         let &Outcome { rows, max_rel, p99_rel, max_ulp, worst_row, bad, rounded } = outcome;
-        // A quantity without a budget would pass whatever it returns, and so would a table without a row to judge by.
+        // A quantity without a budget would pass whatever it returns, and so would a table without
+        // a row to judge by.
         let broken = match budget::budget_of(table, single) {
             None => Some("no budget in tests/budget.rs".to_owned()),
             Some(_) if rows == 0 => Some(format!("no row by which {precision} can be judged")),
@@ -87,7 +97,8 @@ impl<'a> Line<'a> {
                 refused => format!("; {refused} left out, which {precision} cannot be judged by"),
             };
             format!(
-                "{table} {precision}: {count} of {of} rows have inputs that no {precision} holds and are judged at the \
+                "{table} {precision}: {count} of {of} rows have inputs that no {precision} holds \
+                    and are judged at the \
                  nearest ones, the first in line {line}, `{name}` {value:?}{left_out}"
             )
         });

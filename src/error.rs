@@ -6,8 +6,8 @@ use core::fmt;
 
 /// The number that a constructor refused.
 ///
-/// Two values are equal if their bits are, so that NaN equals itself. [`Display`](fmt::Display) writes the
-/// shortest decimals that give the number back: those of an f32 if it is one.
+/// Two values are equal if their bits are, so that NaN equals itself. [`Display`](fmt::Display)
+/// writes the shortest decimals that give the number back: those of an f32 if it is one.
 ///
 /// ```
 /// use lobe::Value;
@@ -60,7 +60,12 @@ impl fmt::Debug for Value {
 macro_rules! errors {
     (
         numbers: { $($number:ident $name:literal $range:literal;)* }
-        others: { $($(#[$doc:meta])* $other:ident $(($($field:ty),*))? $({ $($named:ident: $of:ty),* })?,)* }
+        others: {
+            $(
+                $(#[$doc:meta])*
+                $other:ident $(($($field:ty),*))? $({ $($named:ident: $of:ty),* })?,
+            )*
+        }
     ) => {
         /// What a constructor refused: the parameter, the value, and why.
         ///
@@ -75,8 +80,17 @@ macro_rules! errors {
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[non_exhaustive]
         pub enum Error {
-            $(#[doc = concat!("The parameter `", $name, "` is not in `", $range, "`.")] $number(Value),)*
-            $($(#[$doc])* $other $(($($field),*))? $({ $(#[doc = concat!("`", stringify!($named), "`.")] $named: $of),* })?,)*
+            $(
+                #[doc = concat!("The parameter `", $name, "` is not in `", $range, "`.")]
+                $number(Value),
+            )*
+            $(
+                $(#[$doc])*
+                $other $(($($field),*))? $({ $(
+                    #[doc = concat!("`", stringify!($named), "`.")]
+                    $named: $of
+                ),* })?,
+            )*
         }
 
         impl Error {
@@ -162,7 +176,8 @@ errors! {
         DictionaryLength { expected: usize, found: usize },
         /// Bytes of a dictionary are damaged.
         DictionaryChecksum { expected: u32, found: u32 },
-        /// Bytes of a dictionary are undamaged, and a table of them is no density with an integral of 1.
+        /// Bytes of a dictionary are undamaged, and a table of them is no density with an integral
+        /// of 1.
         DictionaryDensity { table: usize },
     }
 }
@@ -227,7 +242,8 @@ impl fmt::Display for Error {
             }
             Self::DictionaryChecksum { expected, found } => write!(
                 f,
-                "a dictionary's bytes are damaged: their checksum {found:#010x} is not {expected:#010x}"
+                "a dictionary's bytes are damaged: their checksum {found:#010x} is not \
+                    {expected:#010x}"
             ),
             Self::DictionaryDensity { table } => {
                 write!(

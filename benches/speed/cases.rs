@@ -1,7 +1,7 @@
 //! What is timed: each case is one pass over all samples, as a plain loop.
 //!
-//! Shapes are built beforehand where a case is named for its evaluation, as an engine's material or decoded
-//! G-buffer has them; `per_sample` cases build them inside.
+//! Shapes are built beforehand where a case is named for its evaluation, as an engine's material or
+//! decoded G-buffer has them; `per_sample` cases build them inside.
 
 use super::samples::{COUNT, Regime, Sample, samples};
 use super::{glints, hand_written, maps};
@@ -108,7 +108,8 @@ fn shading() -> Vec<Case> {
     ]
 }
 
-/// The mean of GGX over a footprint: the exact parallelogram against Appendix A's rectangle around it.
+/// The mean of GGX over a footprint: the exact parallelogram against Appendix A's rectangle around
+/// it.
 fn footprints(regime: Regime) -> Vec<Case> {
     let group = regime.name();
     let samples = samples(regime);

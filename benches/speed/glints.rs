@@ -1,4 +1,5 @@
-//! What glints cost: by the pixel's aspect, by the number of details, and what more choices cost; many lobes.
+//! What glints cost: by the pixel's aspect, by the number of details, and what more choices cost;
+//! many lobes.
 
 use super::cases::{Case, case};
 use super::samples::{Regime, samples};

@@ -31,8 +31,8 @@ pub(crate) fn axis_aligned([ax, ay]: [f32; 2], wo: [f32; 3], wi: [f32; 3]) -> f3
     if wo[2] > 0.0 && wi[2] > 0.0 { d * v } else { 0.0 }
 }
 
-/// Kaplanyan 2016, Appendix A, with its corners mended: the mean of GGX over `slope +- widths/2`, with the
-/// standard library's arctangent.
+/// Kaplanyan 2016, Appendix A, with its corners mended: the mean of GGX over `slope +- widths/2`,
+/// with the standard library's arctangent.
 #[inline(always)]
 pub(crate) fn appendix_a([ax, ay]: [f32; 2], slope: [f32; 2], widths: [f32; 2]) -> f32 {
     let phi = |x: f32, y: f32, gamma: f32, delta: f32| {

@@ -1,8 +1,9 @@
 //! Cost per sample, as ratios within one run.
 //!
-//! `cargo bench` measures every case with criterion, then each promise of speed that the project makes,
-//! and what it costs to ask for more, as ratios of interleaved rounds: a machine that slows down slows both
-//! sides. `cargo bench -- --quick` does the same in seconds; any other argument is criterion's filter.
+//! `cargo bench` measures every case with criterion, then each promise of speed that the project
+//! makes, and what it costs to ask for more, as ratios of interleaved rounds: a machine that slows
+//! down slows both sides. `cargo bench -- --quick` does the same in seconds; any other argument is
+//! criterion's filter.
 
 mod cases;
 mod glints;

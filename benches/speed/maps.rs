@@ -14,7 +14,8 @@ fn whole(name: &'static str, pass: impl FnMut() + 'static) -> Case {
     Case { group: GROUP, name, pass: Box::new(pass) }
 }
 
-/// A case for each step from texels to radiance. A map has as many texels as other cases have samples.
+/// A case for each step from texels to radiance. A map has as many texels as other cases have
+/// samples.
 pub(crate) fn cases() -> Vec<Case> {
     let side = COUNT.isqrt();
     let samples = samples(Regime::Mixed);

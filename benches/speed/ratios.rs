@@ -37,7 +37,8 @@ const MAPS: [(&str, &str); 7] = [
     ("facets_five_by_five", "raw_moments_shaded"),
 ];
 
-/// Glints by the pixel's aspect, by the number of details, and by mode; many lobes by aspect, number and filter.
+/// Glints by the pixel's aspect, by the number of details, and by mode; many lobes by aspect,
+/// number and filter.
 const GLINTS: [(&str, &str); 15] = [
     ("steep", "smooth_lobe"),
     ("grazing", "steep"),

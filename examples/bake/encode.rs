@@ -68,7 +68,8 @@ impl<'a> Levels<'a> {
         short: Unorm16,
         roughness: Option<Roughness>,
     ) -> Result<Self, String> {
-        // Floats need no range to be written; their floor depends on the steepest slope, which a flat map has not.
+        // Floats need no range to be written; their floor depends on the steepest slope, which a
+        // flat map has not.
         let steepest = map.range().max(2e-9);
         let long = Float32::new(steepest).map_err(|error| error.to_string())?;
         Ok(Self { map, short, long, parts: Part::all(roughness), above: AtomicUsize::new(0) })
@@ -175,7 +176,8 @@ impl<'a> Levels<'a> {
                     Part::Raw => numbers(out, self.long.encode(&moments).map(f32::to_le_bytes)),
                     Part::Mean => {
                         let [x, y, ..] = self.short.encode(&moments);
-                        // Blue is 0, so the normals would point down: nobody bakes this file as a normal map by mistake.
+                        // Blue is 0, so the normals would point down: nobody bakes this file as a
+                        // normal map by mistake.
                         numbers(out, [x, y, 0].map(u16::to_be_bytes));
                     }
                     Part::Second => {

@@ -1,8 +1,9 @@
 //! A normal or displacement map baked into the mip chain of its slopes' moments.
 //!
-//! `cargo run --release --example bake -- normal.png --out moments` writes each level as two 16-bit PNGs and as raw f32,
-//! and `moments.json`, which says how their codes decode; with `--roughness` roughness mips, too. `--help` lists the options.
-//! Exit status: 0; 2 for what cannot be read, baked or written, 130 after Ctrl-C or SIGTERM; then nothing is written.
+//! `cargo run --release --example bake -- normal.png --out moments` writes each level as two 16-bit
+//! PNGs and as raw f32, and `moments.json`, which says how their codes decode; with `--roughness`
+//! roughness mips, too. `--help` lists the options. Exit status: 0; 2 for what cannot be read,
+//! baked or written, 130 after Ctrl-C or SIGTERM; then nothing is written.
 
 #[path = "../common/channels.rs"]
 mod channels;
@@ -58,7 +59,8 @@ fn bake(options: &Options, progress: &Progress) -> Result<(), String> {
     let file = picture::bytes_of(&options.input).map_err(of_input)?;
     let picture = Picture::of(&file).map_err(of_input)?;
     let (reading, ignored) = (start.elapsed(), picture.ignored());
-    // Before the work, for what cannot be written; of no name yet, and gone again if the work fails.
+    // Before the work, for what cannot be written; of no name yet, and gone again if the work
+    // fails.
     let folder = Folder::new(&options.out, "bake")?;
 
     let size = picture.size();
@@ -123,7 +125,8 @@ fn bake(options: &Options, progress: &Progress) -> Result<(), String> {
     let mut names = levels.names();
     // The last, in which a reader finds the others.
     names.push(DESCRIPTION.to_owned());
-    // What is printed comes before what is seen in the folder: if it cannot be printed, nothing is written.
+    // What is printed comes before what is seen in the folder: if it cannot be printed, nothing is
+    // written.
     if let Some(name) = names.iter().find(|name| options.out.join(name).is_dir()) {
         return Err(folder.refused(name, &ErrorKind::IsADirectory.into()));
     }

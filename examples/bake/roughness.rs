@@ -24,10 +24,11 @@ impl Kind {
 
 /// A material's roughness under a map, and how it is stored.
 ///
-/// The lobe of a texel is A = alpha^2 I + 2 Sigma, and half its trace is one number: alpha_K^2 = alpha^2 + tr Sigma. A
-/// Beckmann lobe of alpha has slopes of mean square alpha^2 about its mean, so the number keeps the mean square slope of
-/// material and map together; LEAN (Olano & Baker 2010) keeps it along both axes, CLEAN (Baker 2011) as one number. It does
-/// not change where the map is turned. The root of A's determinant would keep the peak of the lobe instead, and hide
+/// The lobe of a texel is A = alpha^2 I + 2 Sigma, and half its trace is one number: alpha_K^2 =
+/// alpha^2 + tr Sigma. A Beckmann lobe of alpha has slopes of mean square alpha^2 about its mean,
+/// so the number keeps the mean square slope of material and map together; LEAN (Olano &
+/// Baker 2010) keeps it along both axes, CLEAN (Baker 2011) as one number. It does not change where
+/// the map is turned. The root of A's determinant would keep the peak of the lobe instead, and hide
 /// grooves: it is alpha times the wide axis, 0 for a mirror.
 #[derive(Clone, Copy)]
 pub(crate) struct Roughness {
@@ -58,7 +59,8 @@ impl Roughness {
         if self.wide { u16::MAX } else { u8::MAX.into() }
     }
 
-    /// The code nearest to a texel's roughness (ties round up), and whether the roughness is above 1, which no code holds.
+    /// The code nearest to a texel's roughness (ties round up), and whether the roughness is above
+    /// 1, which no code holds.
     pub(crate) fn code(&self, moments: &SlopeMoments<f32>) -> (u16, bool) {
         let alpha = match self.kind {
             Kind::Perceptual => self.base * self.base,

@@ -16,7 +16,8 @@ use std::time::Duration;
 
 /// The file in which a reader finds the others.
 pub(crate) const DESCRIPTION: &str = "moments.json";
-/// The files of a level in the description: what each is there, and its name before and after the level's number.
+/// The files of a level in the description: what each is there, and its name before and after the
+/// level's number.
 const PARTS: [(&str, &str, &str); 4] = [
     ("mean", "mean", "png"),
     ("second", "second", "png"),
@@ -107,8 +108,10 @@ impl Summary {
             "warnings": self.warnings,
             "alpha_floor": { "unorm16": self.floors[0], "f32": self.floors[1] },
             "decode": {
-                "slopes": "s = (dh/dx, dh/dy) = (-n.x / n.z, -n.y / n.z); x to the right, y up, rows from the top",
-                "mean": "16-bit RGB: red E[x], green E[y], each range * (code - 32768) / 32767; blue 0",
+                "slopes": "s = (dh/dx, dh/dy) = (-n.x / n.z, -n.y / n.z); x to the right, y up, \
+                    rows from the top",
+                "mean": "16-bit RGB: red E[x], green E[y], each range * (code - 32768) / 32767; \
+                    blue 0",
                 "second": "16-bit RGB: red E[xx], blue E[yy], each range^2 * code / 65535; \
                     green E[xy] = range^2 * (code - 32768) / 32767",
                 "raw": "little-endian f32, five a texel: E[x], E[y], E[xx], E[xy], E[yy]",
@@ -150,9 +153,11 @@ impl Summary {
              mean slope      ({:.5}, {:.5}), deviation {:.5}\n\
              alpha floor     {:.2e} in 16 bits, {:.2e} in f32\n\
              decoding        {:8.3} s\n\
-             moments, mips   {:8.3} s, {:.1} megapixels/s (slopes {:.3} s, mips {:.3} s; {} threads)\n\
+             moments, mips   {:8.3} s, {:.1} megapixels/s (slopes {:.3} s, mips {:.3} s; {} \
+             threads)\n\
              encoding        {:8.3} s\n\
-             plain copy      {:8.3} s: moments and mips take {:.1} times that, mips alone {:.1} times\n\
+             plain copy      {:8.3} s: moments and mips take {:.1} times that, mips alone {:.1} \
+             times\n\
              memory          the chain has {:.2} times the bytes of its slopes\n",
             options.input.display(),
             self.levels,
@@ -207,7 +212,8 @@ impl Summary {
 
 /// The files of a baked map in a folder, by its description; none where there is none.
 ///
-/// Only names that a bake gives: someone else may have written the description, and listed files of another kind in it.
+/// Only names that a bake gives: someone else may have written the description, and listed files of
+/// another kind in it.
 pub(crate) fn described(folder: &Path) -> Vec<String> {
     let text = fs::read_to_string(folder.join(DESCRIPTION)).unwrap_or_default();
     let known: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();

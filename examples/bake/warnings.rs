@@ -14,7 +14,8 @@ pub(crate) struct Looks {
 }
 
 impl Looks {
-    /// The looks of slopes; `ignored` is what [`Picture::ignored`](super::picture::Picture::ignored) says of their picture.
+    /// The looks of slopes; `ignored` is what
+    /// [`Picture::ignored`](super::picture::Picture::ignored) says of their picture.
     pub(crate) fn of(slopes: &Slopes, ignored: Option<String>, options: &Options) -> Self {
         let mut lines: Vec<_> = ignored.into_iter().collect();
         if options.height.is_none() {

@@ -4,8 +4,8 @@ use std::hint::black_box;
 use std::thread::scope;
 use std::time::{Duration, Instant};
 
-/// The parts of a slice, one a thread, each a multiple of `step` (the last one's rest aside); what `each` made of them,
-/// in order. `each` is told where its part begins.
+/// The parts of a slice, one a thread, each a multiple of `step` (the last one's rest aside); what
+/// `each` made of them, in order. `each` is told where its part begins.
 pub(crate) fn dealt<T: Send, U: Send>(
     slice: &mut [T],
     step: usize,

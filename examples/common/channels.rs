@@ -9,7 +9,8 @@ use std::str::FromStr;
 /// `rgb` is the usual order; `ag` the one of DXT5nm (x in alpha, y in green); `rg` that of BC5.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Channels {
-    /// Places of the channels read as x, y and z among red, green, blue and alpha; the first `count` are used.
+    /// Places of the channels read as x, y and z among red, green, blue and alpha; the first
+    /// `count` are used.
     roles: [usize; 3],
     count: usize,
 }

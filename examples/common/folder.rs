@@ -12,7 +12,8 @@ pub(crate) struct Folder {
 }
 
 impl Folder {
-    /// For a folder that does not exist, or for files in one that does, where `program` names the temporary one.
+    /// For a folder that does not exist, or for files in one that does, where `program` names the
+    /// temporary one.
     pub(crate) fn new(target: &Path, program: &str) -> Result<Self, String> {
         let refused = |error: Error| refused(target, &error);
         let exists = match fs::metadata(target) {
@@ -21,7 +22,8 @@ impl Folder {
             Err(error) if error.kind() == ErrorKind::NotFound => false,
             Err(error) => return Err(refused(error)),
         };
-        // On the target's own disk, as renaming needs it: of a mounted folder that is in it, not beside it.
+        // On the target's own disk, as renaming needs it: of a mounted folder that is in it, not
+        // beside it.
         let (near, name) = if exists {
             (target.to_path_buf(), program.to_owned())
         } else {
@@ -51,9 +53,11 @@ impl Folder {
         refused(&self.target.join(name), error)
     }
 
-    /// All files to their place; if one cannot go there, every one back. Readers may wait for the last name.
+    /// All files to their place; if one cannot go there, every one back. Readers may wait for the
+    /// last name.
     ///
-    /// Files of `stale` names go away, unless they are among the new ones: they would be taken for these files' company.
+    /// Files of `stale` names go away, unless they are among the new ones: they would be taken for
+    /// these files' company.
     pub(crate) fn finish(self, names: &[String], stale: Vec<String>) -> Result<(), String> {
         if !self.exists {
             return fs::rename(&self.temporary, &self.target)

@@ -1,7 +1,7 @@
 //! Whether a PNG file is whole: every chunk's checksum, the pixels' own checksum, and an end.
 //!
-//! A decoder that gives out rows stops at the last row, and may leave the checksum behind it unread. Readers of pictures
-//! therefore ask this module first.
+//! A decoder that gives out rows stops at the last row, and may leave the checksum behind it
+//! unread. Readers of pictures therefore ask this module first.
 
 use png::{DecodeOptions, Decoded, DecodingError, StreamingDecoder, UnfilterRegion, chunk};
 
@@ -10,10 +10,11 @@ const WINDOW: usize = 1 << 17;
 
 /// The number of bytes after the end chunk of a whole PNG, or how the file is damaged.
 ///
-/// Refused: a file that ends early, by a single byte too; a wrong CRC of any chunk; pixels whose Adler-32 sum is wrong or
-/// missing, those of an animation's frames too; a transparency chunk that cannot be read, since it changes texels.
-/// Bytes after the end chunk belong to no picture: they are counted, and the caller says so. Bytes after the pixels' sum
-/// within their chunks, and rows beyond the header's height, are ignored without a word.
+/// Refused: a file that ends early, by a single byte too; a wrong CRC of any chunk; pixels whose
+/// Adler-32 sum is wrong or missing, those of an animation's frames too; a transparency chunk that
+/// cannot be read, since it changes texels. Bytes after the end chunk belong to no picture: they
+/// are counted, and the caller says so. Bytes after the pixels' sum within their chunks, and rows
+/// beyond the header's height, are ignored without a word.
 pub(crate) fn trailing(file: &[u8]) -> Result<usize, String> {
     let mut options = DecodeOptions::default();
     options.set_ignore_checksums(false);
@@ -50,7 +51,8 @@ pub(crate) fn trailing(file: &[u8]) -> Result<usize, String> {
     }
 }
 
-/// The line for what the decoder refuses: chunks by their names, without the decoder's notes on them.
+/// The line for what the decoder refuses: chunks by their names, without the decoder's notes on
+/// them.
 // By value: the shape that `map_err` takes.
 #[allow(clippy::needless_pass_by_value)]
 pub(crate) fn broken(error: DecodingError) -> String {

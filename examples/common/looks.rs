@@ -3,11 +3,11 @@
 use lobe::SlopeMoments;
 use lobe::material::lean::{ClippedTexels, MomentMap};
 
-/// The largest component of a slope that codes of 8 bits may make of 0: (128, 128, 255) is 1/255, and its z may be
-/// somewhat shorter.
+/// The largest component of a slope that codes of 8 bits may make of 0: (128, 128, 255) is 1/255,
+/// and its z may be somewhat shorter.
 const NEUTRAL: f32 = 1.5 / 255.0;
-/// The slopes of a neutral texel encoded as sRGB, (188, 188, 255), and decoded as sRGB, (55, 55, 255), and how far a map's
-/// mean may be from them.
+/// The slopes of a neutral texel encoded as sRGB, (188, 188, 255), and decoded as sRGB, (55, 55,
+/// 255), and how far a map's mean may be from them.
 const SRGB: f32 = -(2.0 * 188.0 - 255.0) / 255.0;
 const LINEAR: f32 = -(2.0 * 55.0 - 255.0) / 255.0;
 const BENT_NEAR: f32 = 0.06;
@@ -36,7 +36,8 @@ pub(crate) fn clipped(clipped: ClippedTexels, cap: &str) -> Option<String> {
     })
 }
 
-/// A normal map's y: whether it was negated as it was read, and how a message says to read it the other way.
+/// A normal map's y: whether it was negated as it was read, and how a message says to read it the
+/// other way.
 #[derive(Clone, Copy)]
 pub(crate) struct Green<'a> {
     pub(crate) flipped: bool,
@@ -63,25 +64,28 @@ fn tilted(moments: &SlopeMoments<f32>) -> Option<String> {
     } else {
         let length = x.hypot(y);
         format!(
-            "the mean slope ({x:.4}, {y:.4}) of length {length:.4} is larger than the deviation {deviation:.4}: \
+            "the mean slope ({x:.4}, {y:.4}) of length {length:.4} is larger than the deviation \
+                {deviation:.4}: \
              the map tilts the whole surface"
         )
     })
 }
 
-/// The end of a message about a normal map whose mean slope is that of a neutral texel bent by a color curve; `flipped` if
-/// the map's y was negated.
+/// The end of a message about a normal map whose mean slope is that of a neutral texel bent by a
+/// color curve; `flipped` if the map's y was negated.
 fn bent(moments: &SlopeMoments<f32>, flipped: bool) -> Option<&'static str> {
     let [x, y] = moments.mean();
     let y = if flipped { -y } else { y };
     let near = |slope: f32| (x - slope).abs() <= BENT_NEAR && (y - slope).abs() <= BENT_NEAR;
     if near(SRGB) {
         Some(
-            ", as a neutral map does that was encoded as sRGB, (188, 188, 255): save it as linear data",
+            ", as a neutral map does that was encoded as sRGB, (188, 188, 255): save it as linear \
+                data",
         )
     } else if near(LINEAR) {
         Some(
-            ", as a neutral map does that was decoded as sRGB, (55, 55, 255): save it without color management",
+            ", as a neutral map does that was decoded as sRGB, (55, 55, 255): save it without \
+                color management",
         )
     } else {
         None
@@ -93,14 +97,16 @@ fn turned(map: &MomentMap<f32>, Green { flipped, remedy }: Green<'_>) -> Option<
     let pointed = if flipped { "up" } else { "down" };
     turned_round(map).then(|| {
         format!(
-            "green looks as if it pointed {pointed}: the slopes are those of a surface with y negated ({remedy})"
+            "green looks as if it pointed {pointed}: the slopes are those of a surface with y \
+                negated ({remedy})"
         )
     })
 }
 
 /// Whether the slopes would be a surface's if y pointed the other way.
 ///
-/// The slopes of a surface have equal mixed derivatives, d s_x / dy = d s_y / dx; with one axis turned they are opposite.
+/// The slopes of a surface have equal mixed derivatives, d s_x / dy = d s_y / dx; with one axis
+/// turned they are opposite.
 fn turned_round(map: &MomentMap<f32>) -> bool {
     let ([width, height], slopes) = (map.size(0), map.slopes());
     if width < 3 || height < 3 {

@@ -4,7 +4,8 @@ use super::say::say;
 use clap::error::ErrorKind;
 use std::process::ExitCode;
 
-/// Says what is wrong, in one line after the program's name, or prints the help that was asked for; the exit code.
+/// Says what is wrong, in one line after the program's name, or prints the help that was asked for;
+/// the exit code.
 pub(crate) fn told(program: &str, error: &clap::Error) -> ExitCode {
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
         // Readers that have seen enough (`| head`) are no error.

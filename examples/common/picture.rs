@@ -1,8 +1,9 @@
 //! A PNG: read strictly, and given out in bands of rows with every texel expanded.
 //!
-//! The one reader of the programs that take maps. A file is whole ([`integrity`](super::integrity)) or refused. Palettes,
-//! grays below 8 bits and transparency become channels of 8 or 16 bits, exactly; gamma, sRGB and ICC chunks are not
-//! applied, as normals are no colors; of an animation the still picture is read.
+//! The one reader of the programs that take maps. A file is whole ([`integrity`](super::integrity))
+//! or refused. Palettes, grays below 8 bits and transparency become channels of 8 or 16 bits,
+//! exactly; gamma, sRGB and ICC chunks are not applied, as normals are no colors; of an animation
+//! the still picture is read.
 
 use super::integrity::{broken, trailing};
 use png::{BitDepth, ColorType, Decoder, Limits, Reader, Transformations};

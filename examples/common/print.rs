@@ -14,7 +14,8 @@ pub(crate) fn print(text: &str) -> Result<(), String> {
     }
 }
 
-/// Says why it failed, in one line after the program's name; the exit code, that of a signal if one stopped it.
+/// Says why it failed, in one line after the program's name; the exit code, that of a signal if one
+/// stopped it.
 pub(crate) fn failed(program: &str, message: &str, stopped: bool) -> ExitCode {
     say(&format!("{program}: {message}"));
     ExitCode::from(if stopped { 130 } else { 2 })

@@ -1,4 +1,5 @@
-//! What a picture's texels look like: a normal map in the channels that are read, or something else.
+//! What a picture's texels look like: a normal map in the channels that are read, or something
+//! else.
 //!
 //! No texel is judged by itself: every message is about what holds for the whole picture.
 
@@ -54,7 +55,8 @@ pub(crate) struct Survey {
     up: usize,
     /// The sums of x and of y as they are read, of which the largest number is 1.
     sums: [i64; 2],
-    /// The sum of the differences between squared lengths and 1, and texels in which it exceeds [`FAR_OFF`].
+    /// The sum of the differences between squared lengths and 1, and texels in which it exceeds
+    /// [`FAR_OFF`].
     off: f64,
     far_off: usize,
     /// Whether alpha is coverage, by the user's word.
@@ -67,21 +69,23 @@ pub(crate) struct Survey {
 const NEARLY_GRAY: f64 = 4.5 / 255.0;
 /// A gray picture may have a colored texel, a mark or a fault, among so many.
 const COLORED: usize = 1000;
-/// Mean difference between a squared length and 1 above which channels are no unit vectors. Mip levels and compressed
-/// maps stay far below.
+/// Mean difference between a squared length and 1 above which channels are no unit vectors. Mip
+/// levels and compressed maps stay far below.
 const NO_UNIT_VECTORS: f64 = 0.1;
-/// Difference above which a texel is no unit vector: of maps from lossy files one texel in eight may be beyond it.
+/// Difference above which a texel is no unit vector: of maps from lossy files one texel in eight
+/// may be beyond it.
 const FAR_OFF: f64 = 0.3;
-/// Mean difference above which channels are no unit vectors, if blue is constant: codes of 8 bits are off by 0.01 in such
-/// a map, by 0.016 where they were rounded down.
+/// Mean difference above which channels are no unit vectors, if blue is constant: codes of 8 bits
+/// are off by 0.01 in such a map, by 0.016 where they were rounded down.
 const NO_CONSTANT_Z: f64 = 0.02;
 
 /// The least part of texels that a mask of islands leaves out.
 const MASKED: f64 = 0.01;
-/// The largest mean of x and of y, of 1, in channels that hold normals and not colors bent by a curve: those of (188, 188,
-/// 255) and (55, 55, 255) are 0.47 and -0.57.
+/// The largest mean of x and of y, of 1, in channels that hold normals and not colors bent by a
+/// curve: those of (188, 188, 255) and (55, 55, 255) are 0.47 and -0.57.
 const TILTED: f64 = 0.3;
-/// The largest alpha of a texel by which a picture is taken for premultiplied: near 1 colors are below it by chance.
+/// The largest alpha of a texel by which a picture is taken for premultiplied: near 1 colors are
+/// below it by chance.
 const THIN: f64 = 0.85;
 
 impl Survey {
@@ -199,7 +203,8 @@ impl Survey {
         self.high[role] > self.low[role]
     }
 
-    /// Whether red, green and blue are equal, or as good as equal, in all texels but one of a thousand.
+    /// Whether red, green and blue are equal, or as good as equal, in all texels but one of a
+    /// thousand.
     pub(crate) fn is_gray(&self) -> bool {
         COLORED * self.colored <= self.counted
     }
@@ -230,7 +235,8 @@ impl Survey {
                 colored => format!("in all but {colored} of {} texels", self.counted),
             };
             let mut line = format!(
-                "looks like a height (bump) map, not a normal map: red, green and blue are {equal} {texels}{heights}"
+                "looks like a height (bump) map, not a normal map: red, green and blue are \
+                    {equal} {texels}{heights}"
             );
             if self.varies(ALPHA) {
                 line +=
@@ -262,16 +268,21 @@ impl Survey {
 
     /// The layout of two channels that the texels look like, if it is not the one that is read.
     ///
-    /// Red, green and blue of unit length are normals, whatever alpha holds: nearly flat maps and roofs have a constant blue,
-    /// too. Of other channels, one read as x or y that is at an end everywhere is none, and another one was meant.
+    /// Red, green and blue of unit length are normals, whatever alpha holds: nearly flat maps and
+    /// roofs have a constant blue, too. Of other channels, one read as x or y that is at an end
+    /// everywhere is none, and another one was meant.
     fn layout(&self) -> Option<&'static str> {
-        const AG: &str = "looks like two channels in alpha and green: --channels ag (x in alpha: DXT5nm) or ga reads them";
+        const AG: &str = "looks like two channels in alpha and green: --channels ag (x in alpha: \
+            DXT5nm) or ga reads them";
         const RA: &str = "looks like two channels in red and alpha: --channels ra or ar reads them";
         const RG: &str = "looks like x in red and y in green (BC5): --channels rg reads it so";
-        const ANY: &str = "looks like two channels without z: --channels rg reads x and y from red and green, \
+        const ANY: &str = "looks like two channels without z: --channels rg reads x and y from \
+            red and green, \
                            ag from alpha and green";
-        const PACKED: &str = "has red, green and blue that are no unit vectors: if blue is not z, --channels rg reads x and y alone";
-        const PACKED_WITH_ALPHA: &str = "has red, green and blue that are no unit vectors: if blue is not z, --channels rg reads x \
+        const PACKED: &str = "has red, green and blue that are no unit vectors: if blue is not z, \
+            --channels rg reads x and y alone";
+        const PACKED_WITH_ALPHA: &str = "has red, green and blue that are no unit vectors: if \
+            blue is not z, --channels rg reads x \
                                          and y from red and green, ag from alpha and green";
         let [r, g, b, a] = [0, 1, 2, ALPHA].map(|role| self.varies(role));
         let a = a && !self.covered;

@@ -51,9 +51,11 @@ impl Camera {
         Ray { origin: self.eye, direction }
     }
 
-    /// How a point of a surface moves to the next pixel on the right and above, along its tangent plane.
+    /// How a point of a surface moves to the next pixel on the right and above, along its tangent
+    /// plane.
     ///
-    /// Derivatives, not differences: near a silhouette the next pixel's ray leaves the surface. Igehy 1999, Eq. 10.
+    /// Derivatives, not differences: near a silhouette the next pixel's ray leaves the surface.
+    /// Igehy 1999, Eq. 10.
     pub(crate) fn steps(&self, point: DVec3, normal: DVec3) -> [DVec3; 2] {
         let depth = (point - self.eye).dot(self.forward);
         // At distance 1 along `forward`, where `right` and `up` are.

@@ -1,7 +1,9 @@
-//! Glittering materials as pictures: snow, fabric, brushed metal, grooves, and one of them from ever farther away.
+//! Glittering materials as pictures: snow, fabric, brushed metal, grooves, and one of them from
+//! ever farther away.
 //!
-//! `cargo run --release --example glints` writes target/glints and prints each picture's energy; `--help` lists the options.
-//! Exit status: 0; 2 for mistakes and for what cannot be written, 130 after Ctrl-C or SIGTERM; then nothing is written.
+//! `cargo run --release --example glints` writes target/glints and prints each picture's energy;
+//! `--help` lists the options. Exit status: 0; 2 for mistakes and for what cannot be written, 130
+//! after Ctrl-C or SIGTERM; then nothing is written.
 
 mod camera;
 mod energy;
@@ -88,7 +90,8 @@ impl Run<'_> {
 /// Draws everything into the folder; returns what to say.
 fn draw(options: &Options, progress: &Progress) -> Result<String, String> {
     let scenes = options.scenes()?;
-    // Before the work, for what cannot be written; of no name yet, and gone again if the work fails.
+    // Before the work, for what cannot be written; of no name yet, and gone again if the work
+    // fails.
     let folder = Folder::new(&options.out, "glints")?;
     let (size, method, seed) = (options.size, options.method(), options.seed);
     let renderer = Renderer { size, method, seed, threads: options.threads(), progress };

@@ -39,7 +39,8 @@ pub(crate) struct Incident {
 }
 
 impl Material {
-    /// White, without a base: alphas from afar, the share of them that one detail has, and details per unit area.
+    /// White, without a base: alphas from afar, the share of them that one detail has, and details
+    /// per unit area.
     pub(crate) fn new(
         alphas: [f32; 2],
         fractions: [f32; 2],

@@ -7,12 +7,15 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::thread::available_parallelism;
 
-/// Draw glittering materials, one evaluation a pixel: SCENE.png, and of the zoom zoom.K.png for each frame K.
+/// Draw glittering materials, one evaluation a pixel: SCENE.png, and of the zoom zoom.K.png for
+/// each frame K.
 #[derive(Parser)]
 #[command(
     name = "glints",
-    after_help = "Printed for the zoom: details along a pixel in the picture's middle, mean radiance of details, of the \
-    smooth lobe, the first over the second, the standard deviation that its noise may have, and cells a pixel, in the \
+    after_help = "Printed for the zoom: details along a pixel in the picture's middle, mean \
+        radiance of details, of the \
+    smooth lobe, the first over the second, the standard deviation that its noise may have, and \
+    cells a pixel, in the \
     mean and at most."
 )]
 pub(crate) struct Options {

@@ -14,10 +14,12 @@ pub(crate) struct Picture {
 /// Radiance that becomes white.
 const WHITE: f32 = 5.0;
 
-/// The color of a radiance at a pixel: Reinhard's curve with a white point (2002, Eq. 4), by channel, and sRGB's.
+/// The color of a radiance at a pixel: Reinhard's curve with a white point (2002, Eq. 4), by
+/// channel, and sRGB's.
 ///
-/// A glint is brighter than white by orders of magnitude: the curve keeps the highlight below it apart from it. Codes
-/// are dithered by the pixel's place, as smooth walls and skies have steps otherwise (Jimenez 2014).
+/// A glint is brighter than white by orders of magnitude: the curve keeps the highlight below it
+/// apart from it. Codes are dithered by the pixel's place, as smooth walls and skies have steps
+/// otherwise (Jimenez 2014).
 #[allow(clippy::cast_sign_loss, reason = "codes are not negative")]
 pub(crate) fn tone(radiance: Vec3, [x, y]: [usize; 2]) -> [u8; 3] {
     let noise = (52.982_918 * (0.067_110_56 * x as f32 + 0.005_837_15 * y as f32).fract()).fract();
@@ -62,7 +64,8 @@ impl Picture {
         Self { size: [width, height], pixels }
     }
 
-    /// Pictures of one size side by side, `columns` in a row, with a line between; dark where there is none.
+    /// Pictures of one size side by side, `columns` in a row, with a line between; dark where there
+    /// is none.
     pub(crate) fn sheet(pictures: &[Self], columns: usize) -> Self {
         const LINE: usize = 2;
         let [width, height] = pictures.first().map_or([0, 0], |picture| picture.size);

@@ -11,10 +11,12 @@ use lobe::material::cells::Patch;
 use lobe::slope::direction::reflect;
 use lobe::{Footprint, Kernel, PixelFilter};
 
-/// Derivatives of half vectors are taken over this part of a pixel: where a ball turns away, a whole one would leave it.
+/// Derivatives of half vectors are taken over this part of a pixel: where a ball turns away, a
+/// whole one would leave it.
 const PART: f64 = 1.0 / 16.0;
 
-/// Radiance of a pixel that shows the surface at these texture coordinates, and what of it is of details.
+/// Radiance of a pixel that shows the surface at these texture coordinates, and what of it is of
+/// details.
 pub(crate) fn shade(
     scene: &Scene,
     camera: &Camera,
@@ -57,9 +59,9 @@ pub(crate) fn shade(
 
 /// How far the half vector's slope moves over the pixel, each neighbor's in its own shading frame.
 ///
-/// A pixel sees details through all half vectors between its edges. On a curved surface seen from afar they differ by
-/// more than a detail's lobe is wide: without this, a pixel would show the one bin of half vectors at its center,
-/// too bright or black, and flicker as it moves.
+/// A pixel sees details through all half vectors between its edges. On a curved surface seen from
+/// afar they differ by more than a detail's lobe is wide: without this, a pixel would show the one
+/// bin of half vectors at its center, too bright or black, and flicker as it moves.
 fn kernel(scene: &Scene, camera: &Camera, light: &Light, spots: [Spot; 3]) -> Kernel<f32> {
     let [here, right, up] = spots.map(|spot| {
         let frame = scene.surface.frame(&spot);
@@ -74,7 +76,8 @@ fn kernel(scene: &Scene, camera: &Camera, light: &Light, spots: [Spot; 3]) -> Ke
     Kernel::of(&Footprint::from_slopes(u, v), PixelFilter::BOX)
 }
 
-/// What the surface scatters and mirrors of its environment, as if it were smooth; `world` turns directions back.
+/// What the surface scatters and mirrors of its environment, as if it were smooth; `world` turns
+/// directions back.
 fn ambient(scene: &Scene, pixel: &Pixel, world: impl Fn(DVec3) -> DVec3) -> Vec3 {
     let normal = lobe::slope::direction::normal_of(pixel.bumps.mean());
     let mirrored = Vec3::from(reflect(pixel.wo, normal)).as_dvec3();

@@ -58,7 +58,8 @@ impl Renderer<'_> {
         Ok((Picture { size: self.size, pixels }, energy))
     }
 
-    /// A pixel's radiance: shaded once, where it is covered by the surface, and the backdrop for the rest.
+    /// A pixel's radiance: shaded once, where it is covered by the surface, and the backdrop for
+    /// the rest.
     fn pixel(
         &self,
         scene: &Scene,
@@ -117,7 +118,8 @@ impl Renderer<'_> {
     }
 }
 
-/// Which part of a pixel the surface covers, by rays that shade nothing, and its place that lies nearest to the center.
+/// Which part of a pixel the surface covers, by rays that shade nothing, and its place that lies
+/// nearest to the center.
 fn coverage(scene: &Scene, camera: &Camera, center: [f64; 2], here: Hit) -> (f64, Hit) {
     let offset = |k: usize| (k as f64 + 0.5) / RAYS as f64 - 0.5;
     let (mut count, mut nearest) = (0, (f64::INFINITY, here));

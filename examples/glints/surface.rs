@@ -17,8 +17,8 @@ pub(crate) trait Surface: Sync {
         Frame::of(spot.tangents)
     }
 
-    /// What a pixel sees of a normal map in that frame, from the direction `wo` of it; `steps` are the texture
-    /// coordinates' derivatives.
+    /// What a pixel sees of a normal map in that frame, from the direction `wo` of it; `steps` are
+    /// the texture coordinates' derivatives.
     fn bumps(&self, _uv: [f64; 2], _steps: [[f64; 2]; 2], _wo: DVec3) -> SlopeMoments<f32> {
         SlopeMoments::default()
     }
@@ -32,7 +32,8 @@ pub(crate) struct Spot {
 }
 
 impl Spot {
-    /// The texture coordinates' change for a step along the surface: least squares, exact in its tangent plane.
+    /// The texture coordinates' change for a step along the surface: least squares, exact in its
+    /// tangent plane.
     pub(crate) fn change(&self, step: DVec3) -> [f64; 2] {
         let [u, v] = self.tangents;
         let (uu, uv, vv) = (u.dot(u), u.dot(v), v.dot(v));

@@ -7,8 +7,8 @@ use std::fmt::Write as _;
 
 /// An entry point `main`, without the items' own text.
 ///
-/// Arguments come one after the other from a uniform array of numbers; the sum of all answers goes to a buffer, or to the
-/// color of a fragment. So nothing is constant, and nothing is unused.
+/// Arguments come one after the other from a uniform array of numbers; the sum of all answers goes
+/// to a buffer, or to the color of a fragment. So nothing is constant, and nothing is unused.
 #[derive(Clone, Debug)]
 pub(crate) struct Entry {
     /// The buffers and the function.
@@ -22,12 +22,13 @@ pub(crate) struct Entry {
 pub(crate) enum Device {
     /// Storage buffers and compute shaders.
     Buffers,
-    /// Neither of the two, as in WebGL 2: a dictionary is a texture, and the entry point a fragment's.
+    /// Neither of the two, as in WebGL 2: a dictionary is a texture, and the entry point a
+    /// fragment's.
     Textures,
 }
 
-/// The most vectors that the array of numbers has: 16 KiB, the size of a uniform buffer that every device takes.
-/// Arguments beyond it begin at the first number again.
+/// The most vectors that the array of numbers has: 16 KiB, the size of a uniform buffer that every
+/// device takes. Arguments beyond it begin at the first number again.
 const VECTORS: usize = 1024;
 
 /// Items under the entry point that calls them.
@@ -126,13 +127,15 @@ pub(crate) fn entry(items: &[Item], device: Device) -> Result<Entry, String> {
     let numbers = format!("@group(0) @binding(0) var<uniform> numbers: array<vec4f, {vectors}>;\n");
     let text = if fragment {
         format!(
-            "{numbers}\n@fragment\nfn main() -> @location(0) vec4<f32> {{\n    var sum = 0.0;\n{body}    \
+            "{numbers}\n@fragment\nfn main() -> @location(0) vec4<f32> {{\n    var sum = \
+                0.0;\n{body}    \
              return vec4<f32>(sum);\n}}\n"
         )
     } else {
         format!(
             "{numbers}@group(0) @binding(1) var<storage, read_write> answers: array<f32>;\n\n\
-             @compute @workgroup_size(1)\nfn main() {{\n    var sum = 0.0;\n{body}    answers[0] = sum;\n}}\n"
+             @compute @workgroup_size(1)\nfn main() {{\n    var sum = 0.0;\n{body}    answers[0] \
+             = sum;\n}}\n"
         )
     };
     Ok(Entry { text, stage: if fragment { ShaderStage::Fragment } else { ShaderStage::Compute } })

@@ -29,7 +29,8 @@ impl Linker {
     }
 }
 
-/// The modules of these items and all that they import, in the order in which a composer takes them.
+/// The modules of these items and all that they import, in the order in which a composer takes
+/// them.
 pub(crate) fn needed(items: &[Item]) -> Vec<Module> {
     let wanted: BTreeSet<String> = items.iter().flat_map(|item| declared(*item)).collect();
     let holds = |module: &Module| super::entry::names(module.body()).any(|n| wanted.contains(n));

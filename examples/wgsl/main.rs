@@ -1,7 +1,8 @@
 //! The WGSL of items or of a preset, or its translation.
 //!
-//! `cargo run --example wgsl -- --items ggx_d,filter_projected --lang hlsl`; `--list` names the items and the presets.
-//! Exit status: 0, or 2 for what does not exist or cannot be written; then nothing is written.
+//! `cargo run --example wgsl -- --items ggx_d,filter_projected --lang hlsl`; `--list` names the
+//! items and the presets. Exit status: 0, or 2 for what does not exist or cannot be written; then
+//! nothing is written.
 
 mod entry;
 mod link;
@@ -25,14 +26,16 @@ use translate::{Language, Translation, translate};
 
 /// Print the WGSL of items or of a preset, or its translation.
 #[derive(Parser)]
-#[command(
-    after_help = "Languages: wgsl, wesl, naga-oil, glsl (4.50), glsl-330, glsl-es (3.10), glsl-es-300, hlsl (5.1), \
-    msl (2.0), spirv (1.3).\nglsl-es-300 is for WebGL 2 and glsl-330 for OpenGL 3.3 to 4.1: a dictionary is a texture \
-    there (`lobe::wgsl::textured` says how it is filled).\nwesl and naga-oil are several files: --out is a folder that does not exist.\n\
-    spirv is printed as words in hexadecimal, and written to --out as it is."
-)]
+#[command(after_help = "Languages: wgsl, wesl, naga-oil, glsl (4.50), glsl-330, glsl-es (3.10), \
+        glsl-es-300, hlsl (5.1), \
+    msl (2.0), spirv (1.3).\nglsl-es-300 is for WebGL 2 and glsl-330 for OpenGL 3.3 to 4.1: a \
+    dictionary is a texture \
+    there (`lobe::wgsl::textured` says how it is filled).\nwesl and naga-oil are several files: \
+    --out is a folder that does not exist.\n\
+    spirv is printed as words in hexadecimal, and written to --out as it is.")]
 struct Options {
-    /// Names of functions without `lobe_`, of constants without `LOBE_`, or of files, with commas between.
+    /// Names of functions without `lobe_`, of constants without `LOBE_`, or of files, with commas
+    /// between.
     #[arg(long, value_name = "NAMES")]
     items: Option<String>,
     /// The name of a preset.
@@ -103,8 +106,10 @@ fn translated(items: &[Item], language: Language) -> Result<Output, String> {
         Translation::Words(words) => return Ok(Output::Words(words)),
         Translation::Text(text) => text,
     };
-    let note = "// Translated by naga from the WGSL of lobe. The entry point and its buffers are no part of the items:\n\
-        // they call each of them, because translators drop functions that no entry point calls. Put yours there.\n";
+    let note = "// Translated by naga from the WGSL of lobe. The entry point and its buffers are \
+        no part of the items:\n\
+        // they call each of them, because translators drop functions that no entry point calls. Put
+        // yours there.\n";
     // GLSL's version must be the first line of all.
     let (first, rest) = match text.split_once('\n') {
         Some((first, rest)) if first.starts_with("#version") => (format!("{first}\n"), rest),

@@ -10,7 +10,8 @@ use naga::{ResourceBinding, ShaderStage};
 pub(crate) enum Language {
     /// Desktop GLSL, 4.50.
     Glsl,
-    /// Desktop GLSL, 3.30: the first that turns floats into bits. macOS ends at 4.10, without storage buffers.
+    /// Desktop GLSL, 3.30: the first that turns floats into bits. macOS ends at 4.10, without
+    /// storage buffers.
     Glsl330,
     /// GLSL of OpenGL ES, 3.10: the first with storage buffers.
     GlslEs,
@@ -82,9 +83,11 @@ impl Translation {
     }
 }
 
-/// The shader in a language, with its entry point `main`; the shader must be one for the language's device.
+/// The shader in a language, with its entry point `main`; the shader must be one for the language's
+/// device.
 ///
-/// Loops and indices are written as they are: the WGSL port's loops count to constants, so guards would only cost.
+/// Loops and indices are written as they are: the WGSL port's loops count to constants, so guards
+/// would only cost.
 pub(crate) fn translate(shader: &Shader, language: Language) -> Result<Translation, String> {
     match language {
         Language::Glsl => write_glsl(shader, glsl::Version::Desktop(450)),
@@ -101,14 +104,16 @@ pub(crate) fn translate(shader: &Shader, language: Language) -> Result<Translati
 /// The largest f32 as naga writes it: a number of few digits, which is a little larger.
 const LARGEST: &str = "3.4028235e38";
 
-/// The largest f32 as a number that is a little smaller: Chrome's WebGL reads larger ones as infinity.
+/// The largest f32 as a number that is a little smaller: Chrome's WebGL reads larger ones as
+/// infinity.
 const BELOW: &str = "3.4028234e38";
 
 fn write_glsl(shader: &Shader, version: glsl::Version) -> Result<String, String> {
     let options = glsl::Options {
         version,
         writer_flags: glsl::WriterFlags::empty(),
-        // GLSL for Vulkan must say where its buffers are: the entry point's two, and a dictionary's.
+        // GLSL for Vulkan must say where its buffers are: the entry point's two, and a
+        // dictionary's.
         binding_map: [(0, 0), (0, 1), (1, 0)]
             .into_iter()
             .zip(0..)
@@ -126,7 +131,8 @@ fn write_glsl(shader: &Shader, version: glsl::Version) -> Result<String, String>
     glsl::Writer::new(&mut text, &shader.module, &shader.info, &options, &pipeline, policies)
         .and_then(|mut writer| writer.write())
         .map_err(|error| error.to_string())?;
-    // Before GLSL 4.20 and ES 3.10 programs find a texture by its name, and naga's tells a reader nothing.
+    // Before GLSL 4.20 and ES 3.10 programs find a texture by its name, and naga's tells a reader
+    // nothing.
     let stage = if shader.stage == ShaderStage::Fragment { "fs" } else { "cs" };
     Ok(text.replace(&format!("_group_1_binding_0_{stage}"), "lobe_dictionary"))
 }
@@ -150,8 +156,8 @@ const CONSTRUCT: &str = "Constructarray";
 
 /// HLSL whose constant arrays are numbers in braces.
 ///
-/// naga initializes each by a call of a function, which glslang takes for a recursion, and Slang for no constant.
-/// Functions that nothing calls any more are left out.
+/// naga initializes each by a call of a function, which glslang takes for a recursion, and Slang
+/// for no constant. Functions that nothing calls any more are left out.
 pub(crate) fn braced(hlsl: &str) -> String {
     let lines: Vec<String> =
         hlsl.lines().map(|line| with_braces(line).unwrap_or_else(|| line.to_owned())).collect();
@@ -169,7 +175,8 @@ fn with_braces(line: &str) -> Option<String> {
     Some(format!("static const {declared} = {{ {numbers} }};"))
 }
 
-/// The name of the function that a paragraph of HLSL defines, if it is one of naga's that make arrays.
+/// The name of the function that a paragraph of HLSL defines, if it is one of naga's that make
+/// arrays.
 fn made_by(paragraph: &str) -> Option<&str> {
     // A type for the result comes first, as functions of HLSL cannot spell an array.
     let (_, function) =

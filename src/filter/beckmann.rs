@@ -20,10 +20,11 @@ fn exp_minus_square<R: Real>(x: R, x_low: R) -> R {
     (-square).exp() * (R::ONE - (error + R::TWO * x * x_low))
 }
 
-/// Mean of the centered Gaussian density $e^{-(s/\alpha)^2}/(\sqrt\pi\,\alpha)$ over `slope +- width/2`.
+/// Mean of the centered Gaussian density $e^{-(s/\alpha)^2}/(\sqrt\pi\,\alpha)$ over `slope +-
+/// width/2`.
 ///
-/// A mirror's is one over the width within, half of that at either end, and 0 outside; over no width 0. An interval of
-/// more than $2^{48}$ alphas (f32; $2^{106}$ in f64) is a mirror's.
+/// A mirror's is one over the width within, half of that at either end, and 0 outside; over no
+/// width 0. An interval of more than $2^{48}$ alphas (f32; $2^{106}$ in f64) is a mirror's.
 fn mean_along<R: Real>(slope: R, width: R, alpha: R) -> R {
     let (midpoint, half) = (slope.abs(), R::HALF * width.abs());
     if alpha >= R::MIN_POSITIVE && half <= limit::<R>() * alpha {
@@ -69,9 +70,10 @@ fn unit_mean<R: Real>(slope: R, width: R, alpha: R) -> R {
 ///
 /// $\prod_k \frac{1}{2 w_k} [\mathrm{erf}((s_k + w_k/2)/\alpha_k) - \mathrm{erf}((s_k -
 /// w_k/2)/\alpha_k)]$, without the cancellation of that difference. `alphas` along the axes of the
-/// rectangle, 0 included: the mean of a mirror along an axis is $1/w_k$ within the rectangle, half of that at its
-/// border, 0 outside, and 0 over no width. `widths` are full widths, 0 included; their sign does not matter. With the Gaussian pixel kernel Beckmann has a closed form ([`Roughness::widened`](crate::Roughness::widened));
-/// this one is its box-pixel counterpart.
+/// rectangle, 0 included: the mean of a mirror along an axis is $1/w_k$ within the rectangle, half
+/// of that at its border, 0 outside, and 0 over no width. `widths` are full widths, 0 included;
+/// their sign does not matter. With the Gaussian pixel kernel Beckmann has a closed form
+/// ([`Roughness::widened`](crate::Roughness::widened)); this one is its box-pixel counterpart.
 ///
 /// ```
 /// use lobe::filter::beckmann_rectangle_mean;

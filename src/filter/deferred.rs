@@ -1,7 +1,7 @@
 //! Filtering before the light is known: roughness from the change of the normal.
 //!
-//! Layer 3. All forms take the worst case, a half vector at the normal, and differ in what they make of two
-//! derivative vectors: a sum, a mean, the largest, a rectangle.
+//! Layer 3. All forms take the worst case, a half vector at the normal, and differ in what they
+//! make of two derivative vectors: a sum, a mean, the largest, a rectangle.
 
 use super::kernel::PixelFilter;
 use crate::error::{Error, Value};
@@ -11,10 +11,11 @@ use crate::slope::direction::dot;
 
 /// Filtered alpha for a G-buffer, from the derivatives of the world-space normal.
 ///
-/// $\bar\alpha^2 = \alpha^2 + \min(2 \sigma_{px}^2 (|\Delta n_u|^2 + |\Delta n_v|^2), \mathrm{limit})$,
-/// $\bar\alpha \le 1$. The trace stands for the largest eigenvalue, which it never falls below. Needs no
-/// tangent frame. The paper has [`PixelFilter::KAPLANYAN`] and a limit of 0.18
-/// ([`Kernel::ALPHA_SQUARED_LIMIT`](super::Kernel::ALPHA_SQUARED_LIMIT)). An alpha above 1 stays.
+/// $\bar\alpha^2 = \alpha^2 + \min(2 \sigma_{px}^2 (|\Delta n_u|^2 + |\Delta n_v|^2),
+/// \mathrm{limit})$, $\bar\alpha \le 1$. The trace stands for the largest eigenvalue, which it
+/// never falls below. Needs no tangent frame. The paper has [`PixelFilter::KAPLANYAN`] and a limit
+/// of 0.18 ([`Kernel::ALPHA_SQUARED_LIMIT`](super::Kernel::ALPHA_SQUARED_LIMIT)). An alpha above 1
+/// stays.
 ///
 /// Source: Tokuyoshi 2017, Eq. 13 and Listing 2.
 ///
@@ -43,9 +44,10 @@ pub fn tokuyoshi_deferred_alpha<R: Real>(
 
 /// The same with the mean of the kernel's two eigenvalues in place of their sum: half of it.
 ///
-/// $\bar\alpha^2 = \alpha^2 + \min(\sigma_{px}^2 (|\Delta n_u|^2 + |\Delta n_v|^2), \mathrm{limit})$. The paper has
-/// [`PixelFilter::TOKUYOSHI_KAPLANYAN`] and a limit of 0.18: with both changes its kernel is $\pi$ times narrower than
-/// that of 2017. Copies often keep the factor 2.
+/// $\bar\alpha^2 = \alpha^2 + \min(\sigma_{px}^2 (|\Delta n_u|^2 + |\Delta n_v|^2),
+/// \mathrm{limit})$. The paper has [`PixelFilter::TOKUYOSHI_KAPLANYAN`] and a limit of 0.18: with
+/// both changes its kernel is $\pi$ times narrower than that of 2017. Copies often keep the
+/// factor 2.
 ///
 /// Source: Tokuyoshi & Kaplanyan 2021, Eq. 14 and Listing 5, there with vertex normals.
 ///
@@ -74,11 +76,13 @@ pub fn tokuyoshi_kaplanyan_deferred_alpha<R: Real>(
     widened(alpha, variance::<R>(filter) * spread, limit)
 }
 
-/// The same with the largest eigenvalue itself: the narrowest isotropic kernel that covers the anisotropic one.
+/// The same with the largest eigenvalue itself: the narrowest isotropic kernel that covers the
+/// anisotropic one.
 ///
-/// $\bar\alpha^2 = \alpha^2 + \min(2 \lambda, \mathrm{limit})$, with $\lambda$ the largest eigenvalue of
-/// $\sigma_{px}^2 (\Delta n_u \Delta n_u^T + \Delta n_v \Delta n_v^T)$. Those of the Gram matrix of the two vectors are the
-/// same but for a 0, so that this form, too, needs no tangent frame. One root more than the sum.
+/// $\bar\alpha^2 = \alpha^2 + \min(2 \lambda, \mathrm{limit})$, with $\lambda$ the largest
+/// eigenvalue of $\sigma_{px}^2 (\Delta n_u \Delta n_u^T + \Delta n_v \Delta n_v^T)$. Those of the
+/// Gram matrix of the two vectors are the same but for a 0, so that this form, too, needs no
+/// tangent frame. One root more than the sum.
 ///
 /// Source: Tokuyoshi 2017, Eq. 10, there from derivatives in the tangent frame.
 ///
@@ -104,7 +108,8 @@ pub fn largest_deferred_alpha<R: Real>(
 ) -> Result<R, Error> {
     let (u, v) = (dn_u.into(), dn_v.into());
     let gram = Psd::from_entries(norm_squared(u), dot(u, v), norm_squared(v));
-    // Derivatives without a square in this precision have no eigenvalues: the trace is then infinite, too.
+    // Derivatives without a square in this precision have no eigenvalues: the trace is then
+    // infinite, too.
     let trace = gram.trace();
     let largest = if trace.is_finite() { gram.eigen().major } else { trace };
     widened(alpha, R::TWO * variance::<R>(filter) * largest, limit)
@@ -112,15 +117,17 @@ pub fn largest_deferred_alpha<R: Real>(
 
 /// Filtered alphas along the frame's axes for a G-buffer with two channels of roughness.
 ///
-/// $\bar\alpha_k^2 = \alpha_k^2 + \min(2 \sigma_{px}^2 w_k^2, \mathrm{limit})$ with $w$ the widths of the bounding
-/// rectangle of `footprint`, that of [`quad_normal_footprint`]. One channel takes the larger of the two
-/// ([`kaplanyan_deferred_alpha`]). With [`PixelFilter::KAPLANYAN_PROXY`] it is the paper's GGX proxy, with
-/// [`PixelFilter::KAPLANYAN`] its Beckmann and Tokuyoshi's reading of its GGX.
+/// $\bar\alpha_k^2 = \alpha_k^2 + \min(2 \sigma_{px}^2 w_k^2, \mathrm{limit})$ with $w$ the widths
+/// of the bounding rectangle of `footprint`, that of [`quad_normal_footprint`]. One channel takes
+/// the larger of the two ([`kaplanyan_deferred_alpha`]). With [`PixelFilter::KAPLANYAN_PROXY`] it
+/// is the paper's GGX proxy, with [`PixelFilter::KAPLANYAN`] its Beckmann and Tokuyoshi's reading
+/// of its GGX.
 ///
 /// Source: Kaplanyan et al. 2016, section 5.4, Eq. 15, 17 and 20; Tokuyoshi 2017, Listing 3.
 ///
 /// # Errors
-/// [`Error::AlphaX`], [`Error::AlphaY`] unless in $[0, 10^9]$; [`Error::Limit`] if the limit is negative or NaN.
+/// [`Error::AlphaX`], [`Error::AlphaY`] unless in $[0, 10^9]$; [`Error::Limit`] if the limit is
+/// negative or NaN.
 ///
 /// ```
 /// use lobe::{Footprint, PixelFilter, filter::kaplanyan_deferred_alphas};
@@ -149,8 +156,9 @@ pub fn kaplanyan_deferred_alphas<R: Real>(
 
 /// The same for a G-buffer with one channel: the larger width.
 ///
-/// Not the bound on the kernel that Tokuyoshi 2017, section 4, takes it for: where the change runs along the diagonal
-/// it adds half of what the largest eigenvalue does ([`largest_deferred_alpha`]).
+/// Not the bound on the kernel that Tokuyoshi 2017, section 4, takes it for: where the change runs
+/// along the diagonal it adds half of what the largest eigenvalue does
+/// ([`largest_deferred_alpha`]).
 ///
 /// Source: Kaplanyan et al. 2016, section 5.4; Tokuyoshi 2017, Listing 3.
 ///
@@ -179,10 +187,12 @@ pub fn kaplanyan_deferred_alpha<R: Real>(
 /// A shading frame in world space: unit tangent, bitangent and normal.
 pub type ShadingFrame<R> = [[R; 3]; 3];
 
-/// The footprint of a quad whose half vectors all stand at its average normal: the deferred assumption.
+/// The footprint of a quad whose half vectors all stand at its average normal: the deferred
+/// assumption.
 ///
-/// `quad`: the frames of this pixel, its horizontal, its vertical and its diagonal neighbor. The average of the four
-/// normals stands for every half vector; seen from the frames of the first three it moves as the frames turn.
+/// `quad`: the frames of this pixel, its horizontal, its vertical and its diagonal neighbor. The
+/// average of the four normals stands for every half vector; seen from the frames of the first
+/// three it moves as the frames turn.
 ///
 /// Source: Kaplanyan et al. 2016, section 5.4 and Eq. 17; Tokuyoshi 2017, Listing 3.
 ///

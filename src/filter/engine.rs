@@ -1,9 +1,11 @@
-//! What engines ship: their filters with their constants, to reproduce a picture and to say what the constants mean.
+//! What engines ship: their filters with their constants, to reproduce a picture and to say what
+//! the constants mean.
 //!
-//! Layer 3. All take the change of the normal to the next pixels and cite the same papers. Translated into this
-//! crate's units (`c` is what multiplies $|\Delta n_u|^2 + |\Delta n_v|^2$ before it is added to alpha^2, as $c =
-//! 2\sigma_{px}^2$ in Tokuyoshi's Eq. 13), they differ by a factor of 2.5 in what they add and by 4.5 in where they stop.
-//! Constants as read in each engine's source or, for Bevy, in the pull request; engines move on, this table does not.
+//! Layer 3. All take the change of the normal to the next pixels and cite the same papers.
+//! Translated into this crate's units (`c` is what multiplies $|\Delta n_u|^2 + |\Delta n_v|^2$
+//! before it is added to alpha^2, as $c = 2\sigma_{px}^2$ in Tokuyoshi's Eq. 13), they differ by a
+//! factor of 2.5 in what they add and by 4.5 in where they stop. Constants as read in each engine's
+//! source or, for Bevy, in the pull request; engines move on, this table does not.
 //!
 #![doc = include_str!("engine.md")]
 
@@ -52,7 +54,8 @@ pub struct AddedVariance {
 }
 
 impl AddedVariance {
-    /// The pixel filter that this coefficient stands for in Tokuyoshi 2017, Eq. 13: $c = 2\sigma_{px}^2$.
+    /// The pixel filter that this coefficient stands for in Tokuyoshi 2017, Eq. 13: $c =
+    /// 2\sigma_{px}^2$.
     ///
     /// ```
     /// use lobe::{PixelFilter, filter::engine::Engine};
@@ -90,7 +93,8 @@ impl Engine {
         }
     }
 
-    /// What the engine computes, in its own terms: r is perceptual roughness, t the squared derivatives' sum.
+    /// What the engine computes, in its own terms: r is perceptual roughness, t the squared
+    /// derivatives' sum.
     pub fn formula(self) -> &'static str {
         match self {
             Self::Filament => "alpha^2 + min(2 0.15 t, 0.2^2)",
@@ -103,7 +107,8 @@ impl Engine {
         }
     }
 
-    /// Coefficient and cap where the filter adds to alpha^2; the others have none that would hold for every alpha.
+    /// Coefficient and cap where the filter adds to alpha^2; the others have none that would hold
+    /// for every alpha.
     pub fn added(self) -> Option<AddedVariance> {
         let (coefficient, cap) = match self {
             Self::Filament => (2.0 * 0.15, 0.2 * 0.2),
@@ -127,7 +132,8 @@ impl Engine {
     pub fn shortcoming(self) -> &'static str {
         match self {
             Self::Filament => {
-                "right space; the threshold is squared, so that it stops at a fifth of the paper's; 0.15 is nobody's pixel"
+                "right space; the threshold is squared, so that it stops at a fifth of the \
+                    paper's; 0.15 is nobody's pixel"
             }
             Self::UnityHdrp => "right space; the threshold is squared here as well",
             Self::Godot => {
@@ -137,10 +143,12 @@ impl Engine {
                 "none in the formula; mapped normals make it also blur what a map resolves"
             }
             Self::ThreeJs => {
-                "linear in r, the largest component depends on the view's axes; never below r = 0.0525"
+                "linear in r, the largest component depends on the view's axes; never below r = \
+                    0.0525"
             }
             Self::BabylonJs => {
-                "no variances: rough surfaces get nothing, smooth ones all; adds 0.0005 to every alpha (punctual lights; reflections add 0.75 |derivative| to alpha)"
+                "no variances: rough surfaces get nothing, smooth ones all; adds 0.0005 to every \
+                    alpha (punctual lights; reflections add 0.75 |derivative| to alpha)"
             }
             Self::BevyProposal => {
                 "says sigma^2 = 0.25 and adds it once: half of the equation it cites"
@@ -150,10 +158,11 @@ impl Engine {
 
     /// The alpha that the engine shades with.
     ///
-    /// `alpha` = r^2 before filtering, `dn_u` and `dn_v` the differences of the normal to the next pixels. As
-    /// shipped, defects included ([`Engine::shortcoming`]); [`tokuyoshi_deferred_alpha`](super::tokuyoshi_deferred_alpha)
-    /// is the formula that they meant. The frame of the normals matters to three.js only (view space). Godot and
-    /// three.js end at 1, whatever alpha came in.
+    /// `alpha` = r^2 before filtering, `dn_u` and `dn_v` the differences of the normal to the next
+    /// pixels. As shipped, defects included ([`Engine::shortcoming`]);
+    /// [`tokuyoshi_deferred_alpha`](super::tokuyoshi_deferred_alpha) is the formula that they
+    /// meant. The frame of the normals matters to three.js only (view space). Godot and three.js
+    /// end at 1, whatever alpha came in.
     ///
     /// # Errors
     /// [`Error::Alpha`] unless alpha lies in $[0, 10^9]$.

@@ -10,10 +10,11 @@ use crate::slope::{Anisotropic, Lobe, LobeShape, Roughness};
 impl<R: Real> Roughness<R> {
     /// The roughness under a Gaussian kernel, $A' = A + 2\Sigma_K$.
     ///
-    /// For Beckmann this is the convolution, exactly. For GGX it is variance addition, what Kaplanyan,
-    /// Tokuyoshi and every engine do: its peak is too bright by 8, 24, 22 and 14 % at
+    /// For Beckmann this is the convolution, exactly. For GGX it is variance addition, what
+    /// Kaplanyan, Tokuyoshi and every engine do: its peak is too bright by 8, 24, 22 and 14 % at
     /// $2\sigma_K^2/\alpha^2$ = 0.1, 1, 3 and 10, and its tail decays from the widened alpha, where
-    /// the true one keeps $\alpha^2/(\pi s^4)$. A mirror under a regular kernel becomes a regular lobe.
+    /// the true one keeps $\alpha^2/(\pi s^4)$. A mirror under a regular kernel becomes a regular
+    /// lobe.
     ///
     /// Source: Kaplanyan et al. 2016, Eq. 15; Tokuyoshi 2017, Eq. 3.
     ///
@@ -57,12 +58,12 @@ impl<R: Real> Lobe<R> {
 ///
 /// GGX is a scale mixture of Beckmann lobes, so with $M = A/t + 2\Sigma_K$ and $d = s - \mu$
 /// $$\int_0^\infty e^{-t}\, \frac{e^{-d^T M^{-1} d}}{\pi \sqrt{\det M}}\, dt.$$
-/// Trapezoid rule in $x = \ln t$ with the determinant and adjugate form of M as sums of non-negative
-/// terms; the range follows the exponent, so that far tails are as exact as the peak. Error below
-/// 1e-5 (f32) and 1e-12 (f64), relative; 50 to 350 nodes: a reference, not a shading method. With a zero
-/// kernel it is GGX itself; for a mirror it is the kernel's Gaussian; where the sum is singular, 0. For slopes
-/// to 1e3 and alphas to 30; where far beyond them the quadrature leaves the range of the precision, variance
-/// addition stands in.
+/// Trapezoid rule in $x = \ln t$ with the determinant and adjugate form of M as sums of
+/// non-negative terms; the range follows the exponent, so that far tails are as exact as the peak.
+/// Error below 1e-5 (f32) and 1e-12 (f64), relative; 50 to 350 nodes: a reference, not a shading
+/// method. With a zero kernel it is GGX itself; for a mirror it is the kernel's Gaussian; where the
+/// sum is singular, 0. For slopes to 1e3 and alphas to 30; where far beyond them the quadrature
+/// leaves the range of the precision, variance addition stands in.
 ///
 /// Source: the mixture, d'Eon 2023 "Student-T and Beyond", Eq. 7, for two degrees of freedom.
 ///
@@ -107,9 +108,9 @@ pub fn ggx_gaussian_mean<R: Real>(
     let (base_form, added_form) = (adjugate_form(&base), adjugate_form(&added));
     let (base_det, mixed, added_det) = (base.det(), base.mixed_det(&added), added.det());
 
-    // The integrand t e^{-t - E(t)} / sqrt(det M) falls at least like t below the smaller of 1 and the t
-    // where E(t) = 1, and like e^{-t} above 1: cut at relative 1e-8 (f32) and 1e-14 (f64). In f32 the nodes
-    // are exact, and the smallest t is no subnormal number.
+    // The integrand t e^{-t - E(t)} / sqrt(det M) falls at least like t below the smaller of 1 and
+    // the t where E(t) = 1, and like e^{-t} above 1: cut at relative 1e-8 (f32) and 1e-14 (f64). In
+    // f32 the nodes are exact, and the smallest t is no subnormal number.
     let (below, step, least_steps, most_reaches) =
         if R::SINGLE { (18.0, 0.4375, 49, 39) } else { (32.0, 0.28, 127, 52) };
     let (below, step) = (R::lit(below), R::lit(step));

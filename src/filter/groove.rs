@@ -1,20 +1,23 @@
-//! Mirrors and grooves over a footprint: lobes so narrow that all of their mass lies at a point or on a line.
+//! Mirrors and grooves over a footprint: lobes so narrow that all of their mass lies at a point or
+//! on a line.
 //!
-//! Layer 3. A mirror has A = 0, a groove has an A of rank one. A lobe also counts as one of them if the footprint is longer
-//! than [`limit`] of the lobe's narrower alpha: its whitened coordinates would leave the range of the precision.
+//! Layer 3. A mirror has A = 0, a groove has an A of rank one. A lobe also counts as one of them if
+//! the footprint is longer than [`limit`] of the lobe's narrower alpha: its whitened coordinates
+//! would leave the range of the precision.
 
 use crate::scalar::exact::{cross, two_sum};
 use crate::scalar::{Internal, Real};
 use crate::slope::{Footprint, LobeShape};
 
-/// Length of a footprint in units of the lobe beyond which the lobe counts as a mirror or as a groove: one over the
-/// squared unit of rounding, $2^{48}$ in f32 and $2^{106}$ in f64.
+/// Length of a footprint in units of the lobe beyond which the lobe counts as a mirror or as a
+/// groove: one over the squared unit of rounding, $2^{48}$ in f32 and $2^{106}$ in f64.
 #[inline(always)]
 pub(in crate::filter) fn limit<R: Real>() -> R {
     R::lit(4.0) / (R::EPSILON * R::EPSILON)
 }
 
-/// False for most lobes that a footprint resolves. True for a mirror, for a groove, and for lobes that [`narrow`] must look at.
+/// False for most lobes that a footprint resolves. True for a mirror, for a groove, and for lobes
+/// that [`narrow`] must look at.
 #[inline(always)]
 fn may_be_unresolved<R: Real>(root_det: R, longer_side_squared: R) -> bool {
     !(root_det >= R::MIN_POSITIVE && longer_side_squared <= limit::<R>() * limit::<R>())
@@ -22,22 +25,22 @@ fn may_be_unresolved<R: Real>(root_det: R, longer_side_squared: R) -> bool {
 
 /// What a footprint covers of a mirror or of a groove.
 #[derive(Clone, Copy)]
-pub(in crate::filter) struct CoveredCell<R> {
+pub(in crate::filter) struct Covered<R> {
     /// Mean density over the footprint.
     pub(in crate::filter) mean: R,
     /// The slope that stands for that mean, less the lobe's mean slope.
     pub(in crate::filter) place: [R; 2],
 }
 
-/// The lobe as a mirror or a groove, none if the footprint resolves the lobe; `offset` is the footprint's center less the
-/// lobe's mean as an unevaluated sum.
+/// The lobe as a mirror or a groove, none if the footprint resolves the lobe; `offset` is the
+/// footprint's center less the lobe's mean as an unevaluated sum.
 #[inline(always)]
 pub(in crate::filter) fn unresolved<S: LobeShape>(
     shape: &S,
     longer_side_squared: S::Scalar,
     offset: ([S::Scalar; 2], [S::Scalar; 2]),
     footprint: &Footprint<S::Scalar>,
-) -> Option<CoveredCell<S::Scalar>> {
+) -> Option<Covered<S::Scalar>> {
     if may_be_unresolved(shape.root_det(), longer_side_squared) {
         narrow(shape, longer_side_squared, offset, footprint)
     } else {
@@ -47,16 +50,16 @@ pub(in crate::filter) fn unresolved<S: LobeShape>(
 
 /// [`unresolved`] of a lobe that may be.
 ///
-/// A footprint longer than the limit may be a sliver that is as thick as the lobe is wide. A regular lobe is a mirror
-/// only if the footprint's thickness exceeds the limit, too, and a groove only if it is $2^{24}$ times as long as wide and
-/// the footprint reaches across it by the limit.
+/// A footprint longer than the limit may be a sliver that is as thick as the lobe is wide. A
+/// regular lobe is a mirror only if the footprint's thickness exceeds the limit, too, and a groove
+/// only if it is $2^{24}$ times as long as wide and the footprint reaches across it by the limit.
 #[inline(never)]
 fn narrow<S: LobeShape>(
     shape: &S,
     longer_side_squared: S::Scalar,
     offset: ([S::Scalar; 2], [S::Scalar; 2]),
     footprint: &Footprint<S::Scalar>,
-) -> Option<CoveredCell<S::Scalar>> {
+) -> Option<Covered<S::Scalar>> {
     let root_det = shape.root_det();
     let sixteenth = S::Scalar::lit(1.0 / 16.0);
     let has_squares = longer_side_squared <= S::Scalar::MAX * sixteenth;
@@ -78,48 +81,51 @@ pub(in crate::filter) fn reach_across<R: Real>(axis: [R; 2], footprint: &Footpri
     cross(axis, footprint.u).abs().max(cross(axis, footprint.v).abs())
 }
 
-/// True for a lobe that is a mirror to the footprint: one that the footprint's thickness exceeds by the limit.
+/// True for a lobe that is a mirror to the footprint: one that the footprint's thickness exceeds by
+/// the limit.
 #[inline(always)]
 fn is_mirror<R: Real>(alpha: R, footprint: &Footprint<R>) -> bool {
     let thickness = (footprint.area() / footprint.largest_component().max(R::MIN_POSITIVE)).kept();
     alpha * limit() <= thickness
 }
 
-/// How many times as long as wide a lobe is that counts as a groove where the footprint resolves it.
+/// How many times as long as wide a lobe is that counts as a groove where the footprint resolves
+/// it.
 pub(in crate::filter) const BRUSHED: f64 = 300.0;
 
-/// How many times the density at the half vector a mean may be that the density still says something about. Greater
-/// quotients leave the range of f32.
+/// How many times the density at the half vector a mean may be that the density still says
+/// something about. Greater quotients leave the range of f32.
 pub(in crate::filter) const LARGEST_GAIN: f64 = 1e30;
 
-/// What a footprint with this `mean` covers of a lobe whose density at the footprint's center is no normal number: of a
-/// brushed lobe its groove, of any other one the mean slope.
+/// What a footprint with this `mean` covers of a lobe whose density at the footprint's center is no
+/// normal number: of a brushed lobe its groove, of any other one the mean slope.
 #[inline(never)]
 pub(in crate::filter) fn seen<S: LobeShape>(
     shape: &S,
     offset: ([S::Scalar; 2], [S::Scalar; 2]),
     footprint: &Footprint<S::Scalar>,
     mean: S::Scalar,
-) -> CoveredCell<S::Scalar> {
+) -> Covered<S::Scalar> {
     let zero = S::Scalar::ZERO;
     let (_, alpha) = shape.major();
     if alpha * alpha < S::Scalar::lit(BRUSHED) * shape.root_det() {
-        return CoveredCell { mean, place: [zero; 2] };
+        return Covered { mean, place: [zero; 2] };
     }
     let groove = covered(shape, offset, footprint);
-    CoveredCell { mean: if groove.mean > zero { mean } else { zero }, ..groove }
+    Covered { mean: if groove.mean > zero { mean } else { zero }, ..groove }
 }
 
-/// What a footprint covers of the lobe as a mirror, or, if the footprint resolves its major axis, as a groove.
+/// What a footprint covers of the lobe as a mirror, or, if the footprint resolves its major axis,
+/// as a groove.
 #[inline(never)]
 pub(in crate::filter) fn covered<S: LobeShape>(
     shape: &S,
     offset: ([S::Scalar; 2], [S::Scalar; 2]),
     footprint: &Footprint<S::Scalar>,
-) -> CoveredCell<S::Scalar> {
+) -> Covered<S::Scalar> {
     let (axis, alpha) = shape.major();
     if is_mirror(alpha, footprint) {
-        CoveredCell { mean: mirror_mean(offset, footprint), place: [S::Scalar::ZERO; 2] }
+        Covered { mean: mirror_mean(offset, footprint), place: [S::Scalar::ZERO; 2] }
     } else {
         groove(axis, alpha, offset, footprint)
     }
@@ -127,8 +133,8 @@ pub(in crate::filter) fn covered<S: LobeShape>(
 
 /// A point of the footprint's border, less the lobe's mean: a corner, or the middle of an edge.
 ///
-/// Cross products with it have the right sign, and all digits, at any distance from 0: a sum of center and sides alone is
-/// off by the rounding of the center.
+/// Cross products with it have the right sign, and all digits, at any distance from 0: a sum of
+/// center and sides alone is off by the rounding of the center.
 #[derive(Clone, Copy)]
 struct Border<R> {
     high: [R; 2],
@@ -155,7 +161,8 @@ impl<R: Real> Border<R> {
     }
 }
 
-/// Cross products of the middles of the two edges along `side` with it, half of `other` to either side of the center.
+/// Cross products of the middles of the two edges along `side` with it, half of `other` to either
+/// side of the center.
 #[inline(always)]
 fn edges<R: Real>(offset: ([R; 2], [R; 2]), other: [R; 2], side: [R; 2]) -> [R; 2] {
     let half = other.map(|x| R::HALF * x);
@@ -174,8 +181,9 @@ pub(in crate::filter) fn share<R: Real>(depth: R) -> R {
     }
 }
 
-/// $w_u w_v/|u \times v|$: one over the area if the footprint holds the mean, with a factor 1/2 for each pair of sides
-/// on one of which the mean lies. 0 for an area below the smallest normal number.
+/// $w_u w_v/|u \times v|$: one over the area if the footprint holds the mean, with a factor 1/2 for
+/// each pair of sides on one of which the mean lies. 0 for an area below the smallest normal
+/// number.
 fn mirror_mean<R: Real>(offset: ([R; 2], [R; 2]), footprint: &Footprint<R>) -> R {
     let Footprint { u, v } = *footprint;
     let area = footprint.area();
@@ -187,13 +195,13 @@ fn mirror_mean<R: Real>(offset: ([R; 2], [R; 2]), footprint: &Footprint<R>) -> R
     if area >= R::MIN_POSITIVE { weight / area } else { R::ZERO }
 }
 
-/// Mean of $\frac{\alpha^2}{2 (\alpha^2 + x^2)^{3/2}}$, GGX's marginal, from x to y: $\frac{\alpha^2 + S_x S_y - x y}
-/// {2 S_x S_y (S_x + S_y)}$ with $S_x = \sqrt{\alpha^2 + x^2}$.
+/// Mean of $\frac{\alpha^2}{2 (\alpha^2 + x^2)^{3/2}}$, GGX's marginal, from x to y:
+/// $\frac{\alpha^2 + S_x S_y - x y} {2 S_x S_y (S_x + S_y)}$ with $S_x = \sqrt{\alpha^2 + x^2}$.
 ///
-/// The cumulative $x/(2 S_x)$ cancels on short intervals and on far ones. Its difference, divided by y - x, is the
-/// quotient above. For x and y on one side of the mean, $S_x S_y - x y = \alpha^2 \frac{\alpha^2 + x^2 + y^2}{S_x S_y +
-/// x y}$: a sum of positive terms only. An end at 0 is on the mean, and has half of the mass beside it, however small alpha
-/// is. Not both ends and alpha are 0.
+/// The cumulative $x/(2 S_x)$ cancels on short intervals and on far ones. Its difference, divided
+/// by y - x, is the quotient above. For x and y on one side of the mean, $S_x S_y - x y = \alpha^2
+/// \frac{\alpha^2 + x^2 + y^2}{S_x S_y + x y}$: a sum of positive terms only. An end at 0 is on the
+/// mean, and has half of the mass beside it, however small alpha is. Not both ends and alpha are 0.
 #[inline(always)]
 fn marginal_mean<R: Real>(alpha: R, x: R, y: R) -> R {
     // In units of the largest of the three, so that no square leaves the range.
@@ -207,26 +215,27 @@ fn marginal_mean<R: Real>(alpha: R, x: R, y: R) -> R {
     inverse * ((square + excess) / (R::TWO * ends * (s_x + s_y))).kept()
 }
 
-/// The mean over a groove along the unit vector `axis`: the mass of the chord that the footprint cuts from the line
-/// through the mean, over the footprint's area.
+/// The mean over a groove along the unit vector `axis`: the mass of the chord that the footprint
+/// cuts from the line through the mean, over the footprint's area.
 ///
-/// With the chord from x to y along the axis, g the axis, and $|g \times v| \ge |g \times u|$, the chord is
-/// $t |u \times v|/|g \times v|$ long, where t is the part of u's length that it crosses, $\mathrm{clamp}((|g \times u| +
-/// |g \times v|)/2 - |g \times c|,\; 0,\; |g \times u|)/|g \times u|$. The area cancels: $t\,\bar p/|g \times v|$ with
-/// $\bar p$ of [`marginal_mean`], for a segment, too. 0 for a footprint without extent across the groove.
+/// With the chord from x to y along the axis, g the axis, and $|g \times v| \ge |g \times u|$, the
+/// chord is $t |u \times v|/|g \times v|$ long, where t is the part of u's length that it crosses,
+/// $\mathrm{clamp}((|g \times u| + |g \times v|)/2 - |g \times c|,\; 0,\; |g \times u|)/|g
+/// \times u|$. The area cancels: $t\,\bar p/|g \times v|$ with $\bar p$ of [`marginal_mean`], for
+/// a segment, too. 0 for a footprint without extent across the groove.
 fn groove<R: Real>(
     axis: [R; 2],
     alpha: R,
     offset: ([R; 2], [R; 2]),
     footprint: &Footprint<R>,
-) -> CoveredCell<R> {
+) -> Covered<R> {
     let (zero, one, half) = (R::ZERO, R::ONE, R::HALF);
     let swap = cross(axis, footprint.u).abs() > cross(axis, footprint.v).abs();
     let (u, v) = if swap { (footprint.v, footprint.u) } else { (footprint.u, footprint.v) };
     let (along_u, along_v) = (cross(axis, u), cross(axis, v));
     let (short, long) = (along_u.abs(), along_v.abs());
     if !(long > zero) {
-        return CoveredCell { mean: zero, place: [zero; 2] };
+        return Covered { mean: zero, place: [zero; 2] };
     }
 
     // The corner that lies farthest beyond the line, seen from the footprint's center.
@@ -250,8 +259,9 @@ fn groove<R: Real>(
         let [from, to] = ends(v, u, along_u);
         (start, end) = (start.max(from), end.min(to));
     }
-    // If a side lies along the groove (`short` is 0) and the chord is short against alpha, the mean comes from the chord's
-    // middle; in all other cases it comes from the chord's densest point. secant.rs tends to this for a narrow lobe.
+    // If a side lies along the groove (`short` is 0) and the chord is short against alpha, the mean
+    // comes from the chord's middle; in all other cases it comes from the chord's densest point.
+    // secant.rs tends to this for a narrow lobe.
     let densest = zero.max(start).min(end);
     let (middle, length) = (half * (start + end), end - start);
     let reach = R::lit(4.0) * (alpha * alpha + densest * densest);
@@ -261,5 +271,5 @@ fn groove<R: Real>(
 
     // `max` drops NaN.
     let mean = (part / long * marginal_mean(alpha, start, end)).max(zero).min(R::MAX);
-    CoveredCell { mean, place: axis.map(|x| x * place) }
+    Covered { mean, place: axis.map(|x| x * place) }
 }

@@ -1,8 +1,10 @@
 //! Formulas as their papers have them: to reproduce the papers, and to compare ours with.
 //!
-//! Layer 3. Kaplanyan et al. 2016: Appendix A, GGX over an axis-aligned rectangle by eight arctangents, and the
-//! proxy that Eq. 20 ends in. Both forms of Appendix A cancel in f32 when the rectangle is small against alpha (at a thousandth of it they may be ten
-//! times too large within two alphas of the peak, and worse beyond) or far from the lobe; [`Ndf::rectangle_mean`](crate::Ndf::rectangle_mean) does not.
+//! Layer 3. Kaplanyan et al. 2016: Appendix A, GGX over an axis-aligned rectangle by eight
+//! arctangents, and the proxy that Eq. 20 ends in. Both forms of Appendix A cancel in f32 when the
+//! rectangle is small against alpha (at a thousandth of it they may be ten times too large within
+//! two alphas of the peak, and worse beyond) or far from the lobe;
+//! [`Ndf::rectangle_mean`](crate::Ndf::rectangle_mean) does not.
 
 use crate::error::Error;
 use crate::scalar::Real;
@@ -29,10 +31,12 @@ fn eight_terms<R: Real>(alphas: [R; 2], slope: [R; 2], reach: [R; 2]) -> R {
         - phi(t1, s0, beta, alpha)
 }
 
-/// Mean of the centered GGX $P_{22}$ over `slope +- widths/2`, by Appendix A with its corners mended.
+/// Mean of the centered GGX $P_{22}$ over `slope +- widths/2`, by Appendix A with its corners
+/// mended.
 ///
-/// $\frac{1}{2\pi w_x w_y} \sum \pm\varphi$ over the corners $s \pm w/2$. Exact in exact arithmetic; see
-/// the module for f32. `alphas` along the axes of the rectangle; all four positive, else 0.
+/// $\frac{1}{2\pi w_x w_y} \sum \pm\varphi$ over the corners $s \pm w/2$. Exact in exact
+/// arithmetic; see the module for f32. `alphas` along the axes of the rectangle; all four positive,
+/// else 0.
 ///
 /// Source: Kaplanyan et al. 2016, Eq. 16 and Appendix A. Departs from the print in the corners: the
 /// printed prefactor belongs to half the printed reach.
@@ -55,9 +59,9 @@ pub fn kaplanyan_rectangle_mean<R: Real>(
 
 /// The same as printed: corners `slope -+ widths` under the prefactor of half that reach.
 ///
-/// That is 4 times the mean over a rectangle of twice the widths: 4 times too large where the rectangle is
-/// small against alpha, right where it holds the whole lobe. Kept to reproduce the paper, and to recognize
-/// code copied from it.
+/// That is 4 times the mean over a rectangle of twice the widths: 4 times too large where the
+/// rectangle is small against alpha, right where it holds the whole lobe. Kept to reproduce the
+/// paper, and to recognize code copied from it.
 ///
 /// ```
 /// use lobe::filter::{kaplanyan_rectangle_mean, kaplanyan_rectangle_mean_as_printed};
@@ -76,8 +80,8 @@ pub fn kaplanyan_rectangle_mean_as_printed<R: Real>(
     normalized(alphas, widths, eight_terms(alphas, slope.into(), widths))
 }
 
-/// The prefactor of Appendix A; 0 where it divides by 0, and for the negative means that cancellation
-/// produces.
+/// The prefactor of Appendix A; 0 where it divides by 0, and for the negative means that
+/// cancellation produces.
 #[inline(always)]
 fn normalized<R: Real>(alphas: [R; 2], widths: [R; 2], terms: R) -> R {
     let area = widths[0] * widths[1];
@@ -88,11 +92,13 @@ fn normalized<R: Real>(alphas: [R; 2], widths: [R; 2], terms: R) -> R {
     }
 }
 
-/// Kaplanyan's "GGX proxy" as his results use it, $\alpha' = \sqrt{\alpha^2 + w^2}$, per axis of the rectangle.
+/// Kaplanyan's "GGX proxy" as his results use it, $\alpha' = \sqrt{\alpha^2 + w^2}$, per axis of
+/// the rectangle.
 ///
-/// Called indistinguishable from the peak of GGX over a square of width w; its peak is up to 3.1 times too dark, as
-/// $w^2$ should be $w^2/3$ for small squares and $w^2/\pi$ for large ones ([`box_peak_alpha`](super::box_peak_alpha)).
-/// As a kernel it is variance addition with [`PixelFilter::KAPLANYAN_PROXY`](super::PixelFilter::KAPLANYAN_PROXY).
+/// Called indistinguishable from the peak of GGX over a square of width w; its peak is up to 3.1
+/// times too dark, as $w^2$ should be $w^2/3$ for small squares and $w^2/\pi$ for large ones
+/// ([`box_peak_alpha`](super::box_peak_alpha)). As a kernel it is variance addition with
+/// [`PixelFilter::KAPLANYAN_PROXY`](super::PixelFilter::KAPLANYAN_PROXY).
 ///
 /// Source: Kaplanyan et al. 2016, Eq. 20, last form.
 ///
@@ -101,7 +107,8 @@ fn normalized<R: Real>(alphas: [R; 2], widths: [R; 2], terms: R) -> R {
 ///
 /// ```
 /// use lobe::filter::{box_peak_alpha, kaplanyan_proxy_alpha};
-/// let [printed, exact] = [kaplanyan_proxy_alpha, box_peak_alpha].map(|f| f(0.01_f64, 0.1).unwrap());
+/// let [printed, exact] =
+///     [kaplanyan_proxy_alpha, box_peak_alpha].map(|f| f(0.01_f64, 0.1).unwrap());
 /// assert!((printed / exact).powi(2) > 3.0); // the peak falls like 1/alpha^2
 /// ```
 #[doc(alias = "lobe_kaplanyan_proxy_alpha")]

@@ -21,7 +21,8 @@ pub struct PixelFilter {
 }
 
 impl PixelFilter {
-    /// The variance of the box pixel, 1/12: what a reference with uniform samples in the pixel sees.
+    /// The variance of the box pixel, 1/12: what a reference with uniform samples in the pixel
+    /// sees.
     pub const BOX: Self = Self { variance: 1.0 / 12.0 };
 
     /// A Gaussian of half a pixel's deviation, 1/4: Kaplanyan et al. 2016 section 4.3, Tokuyoshi
@@ -30,12 +31,13 @@ impl PixelFilter {
 
     /// A Gaussian whose peak is one per pixel, $1/(2\pi)$: Tokuyoshi & Kaplanyan 2021.
     ///
-    /// Also what makes variance addition meet the peak of GGX over a large square pixel: it adds $w^2/\pi$, and is
-    /// within 0.55 % of [`box_peak_alpha`](super::box_peak_alpha) at any width.
+    /// Also what makes variance addition meet the peak of GGX over a large square pixel: it adds
+    /// $w^2/\pi$, and is within 0.55 % of [`box_peak_alpha`](super::box_peak_alpha) at any width.
     pub const TOKUYOSHI_KAPLANYAN: Self = Self { variance: 0.5 * core::f64::consts::FRAC_1_PI };
 
-    /// What Kaplanyan's "GGX proxy", $\alpha^2 + w^2$, comes to: 1/2. Six times the box's variance, and a peak up to
-    /// 3.1 times too dark; here to reproduce it (Kaplanyan et al. 2016, Eq. 20, last form).
+    /// What Kaplanyan's "GGX proxy", $\alpha^2 + w^2$, comes to: 1/2. Six times the box's variance,
+    /// and a peak up to 3.1 times too dark; here to reproduce it (Kaplanyan et al. 2016, Eq. 20,
+    /// last form).
     pub const KAPLANYAN_PROXY: Self = Self { variance: 0.5 };
 
     /// A filter of this variance, in squared pixels.
@@ -58,10 +60,10 @@ impl PixelFilter {
 
 /// The covariance $\Sigma_K$ of a Gaussian kernel on the slope plane.
 ///
-/// $\Sigma_K = \sigma_{px}^2 (d_u d_u^T + d_v d_v^T)$: outer products of the derivative vectors, not
-/// the Gram matrix of the pixel axes that Kaplanyan's Eq. 13 gives when read with row vectors, and
-/// that shaders ported from row-major to column-major languages compute. Trace and determinant of the
-/// two agree, so only a rotated footprint shows the difference.
+/// $\Sigma_K = \sigma_{px}^2 (d_u d_u^T + d_v d_v^T)$: outer products of the derivative vectors,
+/// not the Gram matrix of the pixel axes that Kaplanyan's Eq. 13 gives when read with row vectors,
+/// and that shaders ported from row-major to column-major languages compute. Trace and determinant
+/// of the two agree, so only a rotated footprint shows the difference.
 ///
 /// ```
 /// use lobe::{Footprint, Kernel, PixelFilter};
@@ -81,8 +83,8 @@ pub struct Kernel<R> {
 impl<R: Real> Kernel<R> {
     /// The Gaussian kernel of a footprint under a pixel filter.
     ///
-    /// Footprints of grazing half vectors have no bound: one with a component beyond $10^9$ is shrunk in
-    /// proportion, as squares would overflow f32.
+    /// Footprints of grazing half vectors have no bound: one with a component beyond $10^9$ is
+    /// shrunk in proportion, as squares would overflow f32.
     #[doc(alias = "lobe_kernel_of")]
     #[inline]
     pub fn of(footprint: &Footprint<R>, filter: PixelFilter) -> Self {
@@ -110,17 +112,20 @@ impl<R: Real> Kernel<R> {
         self.covariance
     }
 
-    /// The footprint that this kernel is of, under a pixel filter: along the axes of the covariance.
+    /// The footprint that this kernel is of, under a pixel filter: along the axes of the
+    /// covariance.
     ///
-    /// The way back from [`Kernel::of`], which knows no other parallelogram of the same covariance. It lets the
-    /// exact GGX mean and its bounding rectangle filter nested kernels. Sides end at $10^9$; for a filter of variance 0,
-    /// no footprint.
+    /// The way back from [`Kernel::of`], which knows no other parallelogram of the same covariance.
+    /// It lets the exact GGX mean and its bounding rectangle filter nested kernels. Sides end at
+    /// $10^9$; for a filter of variance 0, no footprint.
     ///
-    /// Source: Kaplanyan et al. 2016, section 5.5 ("the rectangle around the vectors of the standard deviations").
+    /// Source: Kaplanyan et al. 2016, section 5.5 ("the rectangle around the vectors of the
+    /// standard deviations").
     ///
     /// ```
     /// use lobe::{Footprint, Kernel, PixelFilter};
-    /// let kernel = Kernel::of(&Footprint::from_slopes([0.3_f64, 0.1], [0.1, 0.2]), PixelFilter::BOX);
+    /// let kernel =
+    ///     Kernel::of(&Footprint::from_slopes([0.3_f64, 0.1], [0.1, 0.2]), PixelFilter::BOX);
     /// let back = Kernel::of(&kernel.footprint(PixelFilter::BOX), PixelFilter::BOX);
     /// let (a, b) = (kernel.covariance().entries(), back.covariance().entries());
     /// assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-15));
@@ -138,12 +143,12 @@ impl<R: Real> Kernel<R> {
         Footprint { u: [long * cos, long * sin], v: [-(short * sin), short * cos] }
     }
 
-    /// The kernel with the alpha^2 it adds, $2\Sigma_K$, limited to `limit` along each of its axes. A
-    /// negative limit counts as 0.
+    /// The kernel with the alpha^2 it adds, $2\Sigma_K$, limited to `limit` along each of its axes.
+    /// A negative limit counts as 0.
     ///
     /// Kaplanyan's code and Tokuyoshi 2017 limit it to 0.18 ([`Kernel::ALPHA_SQUARED_LIMIT`]) per
-    /// frame axis or as a scalar; limiting the eigenvalues is the same for a kernel along the frame's axes,
-    /// and does not depend on the frame.
+    /// frame axis or as a scalar; limiting the eigenvalues is the same for a kernel along the
+    /// frame's axes, and does not depend on the frame.
     ///
     /// ```
     /// use lobe::{Footprint, Kernel, PixelFilter};
@@ -164,7 +169,8 @@ impl<R: Real> Kernel<R> {
 impl<R: Real> Add for Kernel<R> {
     type Output = Self;
 
-    /// Two kernels one after the other: covariances add. Nested filtering, of a normal map and a pixel, say.
+    /// Two kernels one after the other: covariances add. Nested filtering, of a normal map and a
+    /// pixel, say.
     ///
     /// Source: Kaplanyan et al. 2016, Eq. 21. For GGX over an area, [`Kernel::footprint`].
     ///
@@ -175,7 +181,10 @@ impl<R: Real> Add for Kernel<R> {
     /// let base = Roughness::from_alpha(0.1)?;
     /// // A map's spread as a kernel, or as a lobe: the same.
     /// let nested = base.widened(&(Kernel::from_covariance(texels.covariance()) + pixel));
-    /// assert_eq!(nested.matrix().entries()[0], texels.lobe(base).widened(&pixel).roughness().matrix().entries()[0]);
+    /// assert_eq!(
+    ///     nested.matrix().entries()[0],
+    ///     texels.lobe(base).widened(&pixel).roughness().matrix().entries()[0]
+    /// );
     /// # Ok::<(), lobe::Error>(())
     /// ```
     fn add(self, other: Self) -> Self {

@@ -1,4 +1,5 @@
-//! What engines read off a mean of normals: Toksvig, CLEAN, and widening by a von Mises-Fisher lobe.
+//! What engines read off a mean of normals: Toksvig, CLEAN, and widening by a von Mises-Fisher
+//! lobe.
 //!
 //! Layer 3. One scalar each, so no direction of a brushed map survives; moments of slopes keep it
 //! ([`SlopeMoments`](crate::SlopeMoments)). Here to reproduce and to compare.
@@ -7,12 +8,14 @@ use crate::error::Error;
 use crate::scalar::Real;
 use crate::slope::direction::checked_slope;
 
-/// How much longer than 1 a mean of unit normals may be: $\sqrt 3/254$, what storing its components in 8 bits adds.
+/// How much longer than 1 a mean of unit normals may be: $\sqrt 3/254$, what storing its components
+/// in 8 bits adds.
 ///
-/// A step is $2/255$ in unorm (`n = 2 b/255 - 1`) and $1/127$ in snorm; each component is off by at most half of the
-/// larger, $1/254$, and the vector by at most $\sqrt 3$ times that. A flat texel of a normal map, (128, 128, 255), has
-/// length 1.0000154. Functions of a mean normal's length take lengths up to that for 1 and refuse longer ones. Lengths
-/// below 1 keep what storage made of them: it takes them for variance of up to 0.007.
+/// A step is $2/255$ in unorm (`n = 2 b/255 - 1`) and $1/127$ in snorm; each component is off by at
+/// most half of the larger, $1/254$, and the vector by at most $\sqrt 3$ times that. A flat texel
+/// of a normal map, (128, 128, 255), has length 1.0000154. Functions of a mean normal's length take
+/// lengths up to that for 1 and refuse longer ones. Lengths below 1 keep what storage made of them:
+/// it takes them for variance of up to 0.007.
 ///
 /// ```
 /// use lobe::filter::{MEAN_LENGTH_TOLERANCE, toksvig_variance};
@@ -35,13 +38,15 @@ fn checked<R: Real>(length: R) -> Result<R, Error> {
 
 /// Slope variance per axis from the length of a mean unit normal, $\sigma^2 = (1 - |N|)/|N|$.
 ///
-/// Right to first order for isotropic slopes, $|N| \approx 1 - \sigma^2$; 0 for length 1, and for what 8 bits make longer. A map in 8 bits has lengths in
-/// steps of 1/255: alpha 0.09. Beckmann takes it as it is, $\alpha^2 = 2 \sigma^2$.
+/// Right to first order for isotropic slopes, $|N| \approx 1 - \sigma^2$; 0 for length 1, and for
+/// what 8 bits make longer. A map in 8 bits has lengths in steps of 1/255: alpha 0.09. Beckmann
+/// takes it as it is, $\alpha^2 = 2 \sigma^2$.
 ///
 /// Source: Toksvig 2005, read as a variance.
 ///
 /// # Errors
-/// [`Error::MeanLength`] unless the length lies in (0, 1], or above 1 by at most [`MEAN_LENGTH_TOLERANCE`].
+/// [`Error::MeanLength`] unless the length lies in (0, 1], or above 1 by at most
+/// [`MEAN_LENGTH_TOLERANCE`].
 ///
 /// ```
 /// assert_eq!(lobe::filter::toksvig_variance(0.8_f64)?, 0.25 * (1.0 - 0.8) / 0.2);
@@ -77,8 +82,9 @@ pub fn toksvig_exponent<R: Real>(exponent: R, length: R) -> Result<R, Error> {
     Ok(exponent * length / (length + exponent * (R::ONE - length)))
 }
 
-/// Slope variance per axis of CLEAN maps, which keep the mean slope and one second moment, $\mathrm{E}\,|s|^2$:
-/// $\sigma^2 = \frac{1}{2} (\mathrm{E}\,|s|^2 - |\mathrm{E}\,s|^2)$, not below 0.
+/// Slope variance per axis of CLEAN maps, which keep the mean slope and one second moment,
+/// $\mathrm{E}\,|s|^2$: $\sigma^2 = \frac{1}{2} (\mathrm{E}\,|s|^2 - |\mathrm{E}\,s|^2)$, not
+/// below 0.
 ///
 /// LEAN without direction: the mean of its two variances.
 ///
@@ -126,17 +132,17 @@ pub fn vmf_sharpness<R: Real>(length: R) -> Result<R, Error> {
 
 /// What alpha^2 gains of a von Mises-Fisher lobe's $1/\kappa$: engines disagree by a factor of 4.
 ///
-/// To first order the slope variance of the lobe is $1/\kappa$ per axis, so Beckmann's $\alpha^2 = 2 \sigma^2$ gains $2/\kappa$
-/// ([`VmfWidening::SPECULAR_AA`]); Unity and The Order: 1886 add $1/(2\kappa)$ ([`VmfWidening::THE_ORDER`]), a quarter. GGX has
-/// no second moment to decide by.
+/// To first order the slope variance of the lobe is $1/\kappa$ per axis, so Beckmann's $\alpha^2 =
+/// 2 \sigma^2$ gains $2/\kappa$ ([`VmfWidening::SPECULAR_AA`]); Unity and The Order: 1886 add
+/// $1/(2\kappa)$ ([`VmfWidening::THE_ORDER`]), a quarter. GGX has no second moment to decide by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VmfWidening {
     gain: f64,
 }
 
 impl VmfWidening {
-    /// $1/(2\kappa)$: The Order: 1886 (Neubelt & Pettineo 2013, after Han et al. 2007), Unity's `TextureNormalVariance`,
-    /// MJP's sample until 2018. Half the lobe's deviation.
+    /// $1/(2\kappa)$: The Order: 1886 (Neubelt & Pettineo 2013, after Han et al. 2007), Unity's
+    /// `TextureNormalVariance`, MJP's sample until 2018. Half the lobe's deviation.
     pub const THE_ORDER: Self = Self { gain: 0.5 };
     /// $2/\kappa$: MJP's SpecularAA from 2018 on, Karis 2018. What Beckmann's variance asks for.
     pub const SPECULAR_AA: Self = Self { gain: 2.0 };
@@ -146,7 +152,8 @@ impl VmfWidening {
         self.gain
     }
 
-    /// alpha of a lobe of `alpha` under a mean normal of length `length`: $\sqrt{\alpha^2 + g/\kappa}$.
+    /// alpha of a lobe of `alpha` under a mean normal of length `length`: $\sqrt{\alpha^2 +
+    /// g/\kappa}$.
     ///
     /// # Errors
     /// [`Error::Alpha`], [`Error::MeanLength`].

@@ -1,6 +1,8 @@
-//! Area lights as kernels: a spherical Gaussian light widens the lobe by the same algebra as a pixel.
+//! Area lights as kernels: a spherical Gaussian light widens the lobe by the same algebra as a
+//! pixel.
 //!
-//! Layer 3. The half vector moves as the light's direction does; its spread over the light is one more covariance.
+//! Layer 3. The half vector moves as the light's direction does; its spread over the light is one
+//! more covariance.
 
 use super::kernel::{Kernel, PixelFilter};
 use super::projected::DiskKernel;
@@ -9,12 +11,13 @@ use crate::scalar::Real;
 use crate::slope::direction::{dot, normalize};
 use crate::slope::{Footprint, Motion};
 
-/// A light of radiance $e^{\lambda (w \cdot w_i - 1)}$: brightest along its direction, of variance $1/\lambda$ per
-/// axis in radians squared.
+/// A light of radiance $e^{\lambda (w \cdot w_i - 1)}$: brightest along its direction, of variance
+/// $1/\lambda$ per axis in radians squared.
 ///
-/// Its reflection is close to [`SphericalGaussian::integral`] times the BRDF of the widened lobe for $w_i$ times
-/// cosine: exact in slope space for Beckmann but for the curvature of the half vector's map, variance addition for
-/// GGX. Good while the light is smaller than the angle to the horizon.
+/// Its reflection is close to [`SphericalGaussian::integral`] times the BRDF of the widened lobe
+/// for $w_i$ times cosine: exact in slope space for Beckmann but for the curvature of the half
+/// vector's map, variance addition for GGX. Good while the light is smaller than the angle to the
+/// horizon.
 ///
 /// ```
 /// use lobe::{Beckmann, Lobe, Roughness, filter::SphericalGaussian};
@@ -35,10 +38,12 @@ pub struct SphericalGaussian<R> {
 }
 
 impl<R: Real> SphericalGaussian<R> {
-    /// From the direction of the brightest point (tangent frame, any length) and the sharpness lambda.
+    /// From the direction of the brightest point (tangent frame, any length) and the sharpness
+    /// lambda.
     ///
     /// # Errors
-    /// [`Error::Direction`] for a direction without length; [`Error::Sharpness`] unless in $[10^{-9}, 10^{18}]$.
+    /// [`Error::Direction`] for a direction without length; [`Error::Sharpness`] unless in
+    /// $[10^{-9}, 10^{18}]$.
     #[doc(alias = "lobe_spherical_gaussian_new")]
     pub fn new(direction: impl Into<[R; 3]>, sharpness: R) -> Result<Self, Error> {
         let given = direction.into();
@@ -57,8 +62,8 @@ impl<R: Real> SphericalGaussian<R> {
     /// The Gaussian with the variance of a uniform disk of this angular radius: $\lambda = 4/r^2$.
     ///
     /// # Errors
-    /// [`Error::Direction`] as [`SphericalGaussian::new`]; [`Error::Radius`] unless the radius lies in $[2 \cdot
-    /// 10^{-9}, 6 \cdot 10^4]$ radians.
+    /// [`Error::Direction`] as [`SphericalGaussian::new`]; [`Error::Radius`] unless the radius lies
+    /// in $[2 \cdot 10^{-9}, 6 \cdot 10^4]$ radians.
     #[doc(alias = "lobe_spherical_gaussian_from_angular_radius")]
     pub fn from_angular_radius(direction: impl Into<[R; 3]>, radius: R) -> Result<Self, Error> {
         // A radius of either sign has one square.
@@ -100,10 +105,11 @@ impl<R: Real> SphericalGaussian<R> {
         R::lit(4.0) * R::PI * part
     }
 
-    /// The kernel on the slope plane for a viewer along `wo`: $\Sigma = \frac{1}{\lambda} J J^T$, J the derivative
-    /// of the half vector's slope by the light's direction.
+    /// The kernel on the slope plane for a viewer along `wo`: $\Sigma = \frac{1}{\lambda} J J^T$, J
+    /// the derivative of the half vector's slope by the light's direction.
     ///
-    /// Zero where the half vector is not above the surface. Combine it with the pixel's: [`Kernel::add`].
+    /// Zero where the half vector is not above the surface. Combine it with the pixel's:
+    /// [`Kernel::add`].
     ///
     /// Source: Tokuyoshi et al. 2024, here in slope space.
     #[doc(alias = "lobe_spherical_gaussian_kernel")]
@@ -112,10 +118,12 @@ impl<R: Real> SphericalGaussian<R> {
         Kernel::of(&self.footprint(wo), self.spread())
     }
 
-    /// The same on the projected disk, for [`Roughness::widened_on_disk`](crate::Roughness::widened_on_disk).
+    /// The same on the projected disk, for
+    /// [`Roughness::widened_on_disk`](crate::Roughness::widened_on_disk).
     ///
-    /// Source: Tokuyoshi et al. 2024, $K = \frac{2}{\lambda} J J^T$. The published code takes the determinant of the
-    /// sum with the kernel's diagonal swapped, which is right for equal alphas only; sums here are matrices.
+    /// Source: Tokuyoshi et al. 2024, $K = \frac{2}{\lambda} J J^T$. The published code takes the
+    /// determinant of the sum with the kernel's diagonal swapped, which is right for equal alphas
+    /// only; sums here are matrices.
     ///
     /// ```
     /// use lobe::{Roughness, filter::SphericalGaussian};

@@ -1,9 +1,11 @@
 //! Filters: a lobe averaged over what a pixel covers.
 //!
-//! - Gaussian kernels widen a lobe into another lobe: [`Kernel`], [`Lobe::widened`](crate::Lobe::widened); with the
-//!   peak right, [`Roughness::peak_fitted`](crate::Roughness::peak_fitted); on the projected disk, [`DiskKernel`]. Area
-//!   lights are kernels, too: [`SphericalGaussian`].
-//! - Polygons average its density exactly: [`Ndf::parallelogram_mean`](crate::Ndf::parallelogram_mean),
+//! - Gaussian kernels widen a lobe into another lobe: [`Kernel`],
+//!   [`Lobe::widened`](crate::Lobe::widened); with the peak right,
+//!   [`Roughness::peak_fitted`](crate::Roughness::peak_fitted); on the projected disk,
+//!   [`DiskKernel`]. Area lights are kernels, too: [`SphericalGaussian`].
+//! - Polygons average its density exactly:
+//!   [`Ndf::parallelogram_mean`](crate::Ndf::parallelogram_mean),
 //!   [`Ndf::brdf_over`](crate::Ndf::brdf_over).
 //! - Before the light is known, roughness is filtered by the normal's change: `*_deferred_alpha`.
 //! - What papers and engines have, to reproduce and to compare: `kaplanyan_*`, [`engine`].

@@ -1,8 +1,9 @@
 //! Filtering on the projected disk, where GGX is the same distribution again.
 //!
-//! Layer 3. As $m_z^2 = 1 - |m_{xy}|^2$, D of a centered GGX is $\frac{1}{\pi \sqrt{\det A}\,(1 + m_{xy}^T A_\perp^{-1}
-//! m_{xy})^2}$ with $A_\perp = (A^{-1} - I)^{-1}$: on the disk of $(h_x, h_y)$ it is a GGX of roughness $A_\perp$.
-//! Kernels of half vectors have a bound there, and widened roughness stays below 1 by itself.
+//! Layer 3. As $m_z^2 = 1 - |m_{xy}|^2$, D of a centered GGX is $\frac{1}{\pi \sqrt{\det A}\,(1 +
+//! m_{xy}^T A_\perp^{-1} m_{xy})^2}$ with $A_\perp = (A^{-1} - I)^{-1}$: on the disk of $(h_x,
+//! h_y)$ it is a GGX of roughness $A_\perp$. Kernels of half vectors have a bound there, and
+//! widened roughness stays below 1 by itself.
 
 use super::kernel::{Kernel, PixelFilter};
 use crate::error::Error;
@@ -31,7 +32,8 @@ pub struct DiskKernel<R> {
 }
 
 impl<R: Real> DiskKernel<R> {
-    /// The kernel of two derivative vectors of $(h_x, h_y)$, one per pixel axis, under a pixel filter.
+    /// The kernel of two derivative vectors of $(h_x, h_y)$, one per pixel axis, under a pixel
+    /// filter.
     ///
     /// Source: Tokuyoshi & Kaplanyan 2021, Eq. 3, there with [`PixelFilter::TOKUYOSHI_KAPLANYAN`].
     #[doc(alias = "lobe_disk_kernel_of")]
@@ -40,7 +42,8 @@ impl<R: Real> DiskKernel<R> {
         Self { as_slopes: Kernel::of(&Footprint::from_slopes(u, v), filter) }
     }
 
-    /// The kernel of the bounding rectangle along the frame's axes: with a lobe along the axes it stays there.
+    /// The kernel of the bounding rectangle along the frame's axes: with a lobe along the axes it
+    /// stays there.
     ///
     /// ```
     /// use lobe::{PixelFilter, Roughness, filter::DiskKernel};
@@ -68,18 +71,19 @@ impl<R: Real> DiskKernel<R> {
         self.as_slopes.covariance()
     }
 
-    /// The kernel with the alpha^2 that it adds limited to `limit` along each axis, as [`Kernel::capped`].
+    /// The kernel with the alpha^2 that it adds limited to `limit` along each axis, as
+    /// [`Kernel::capped`].
     #[doc(alias = "lobe_disk_kernel_capped")]
     #[must_use]
     pub fn capped(&self, limit: R) -> Self {
         Self { as_slopes: self.as_slopes.capped(limit) }
     }
 
-    /// The kernel used in slope space as it is: Tokuyoshi's deliberate narrowing, and the practical approximation of
-    /// the 2021 paper.
+    /// The kernel used in slope space as it is: Tokuyoshi's deliberate narrowing, and the practical
+    /// approximation of the 2021 paper.
     ///
-    /// Not a change of variables: right at $h = n$, narrower by up to $h_z^3$ elsewhere, where quad differences are
-    /// noise. [`Roughness::widened`] and [`Kernel::capped`] do the rest.
+    /// Not a change of variables: right at $h = n$, narrower by up to $h_z^3$ elsewhere, where quad
+    /// differences are noise. [`Roughness::widened`] and [`Kernel::capped`] do the rest.
     ///
     /// Source: Tokuyoshi 2017, Eq. 7; Tokuyoshi & Kaplanyan 2021, Eq. 9 and Listing 2.
     ///
@@ -105,8 +109,8 @@ impl<R: Real> Add for DiskKernel<R> {
 }
 
 impl<R: Real> Kernel<R> {
-    /// Tokuyoshi's kernel for forward shading, from derivatives of $(h_x, h_y)$ of the unit half vector used in
-    /// slope space as they are, under [`PixelFilter::KAPLANYAN`].
+    /// Tokuyoshi's kernel for forward shading, from derivatives of $(h_x, h_y)$ of the unit half
+    /// vector used in slope space as they are, under [`PixelFilter::KAPLANYAN`].
     ///
     /// A deliberate narrowing at grazing half vectors, where quad differences are noise
     /// ([`Footprint::from_disk_narrowed`]).
@@ -131,21 +135,26 @@ impl<R: Real> Kernel<R> {
 impl<R: Real> Roughness<R> {
     /// The roughness of a centered GGX under a Gaussian kernel on the projected disk.
     ///
-    /// $A_\perp' = A_\perp + K$ with $K = 2\Sigma_K$, back by $A' = (A_\perp' + \det A_\perp'\, I)/(1 + \mathrm{tr}
-    /// A_\perp' + \det A_\perp')$: no inverse, and eigenvalues below 1 stay there without a clamp. Variance addition on the
-    /// disk: its peak is too bright by as much as in slope space. GGX only; for a tilted lobe the identity does not hold.
+    /// $A_\perp' = A_\perp + K$ with $K = 2\Sigma_K$, back by $A' = (A_\perp' + \det A_\perp'\,
+    /// I)/(1 + \mathrm{tr} A_\perp' + \det A_\perp')$: no inverse, and eigenvalues below 1 stay
+    /// there without a clamp. Variance addition on the disk: its peak is too bright by as much as
+    /// in slope space. GGX only; for a tilted lobe the identity does not hold.
     ///
-    /// With $C = I - A$ the two lines are $C'^{-1} = C^{-1} + K$: no pole at alpha = 1. There the lobe is uniform over
-    /// the disk, and beyond it grows towards the rim; neither has a highlight. Axes with alpha at least 1 are therefore
-    /// left as they are, to which the formula tends as alpha goes to 1 (engines that saturate $A_\perp$ make them
-    /// smoother instead). Entries of K beyond $10^9$ shrink the kernel to that: A' is then I but for rounding.
+    /// With $C = I - A$ the two lines are $C'^{-1} = C^{-1} + K$: no pole at alpha = 1. There the
+    /// lobe is uniform over the disk, and beyond it grows towards the rim; neither has a highlight.
+    /// Axes with alpha at least 1 are therefore left as they are, to which the formula tends as
+    /// alpha goes to 1 (engines that saturate $A_\perp$ make them smoother instead). Entries of K
+    /// beyond $10^9$ shrink the kernel to that: A' is then I but for rounding.
     ///
-    /// Source: Tokuyoshi & Kaplanyan 2021, Eq. 4 to 7, Listing 1; back without an inverse as in Tokuyoshi et al. 2024.
+    /// Source: Tokuyoshi & Kaplanyan 2021, Eq. 4 to 7, Listing 1; back without an inverse as in
+    /// Tokuyoshi et al. 2024.
     ///
     /// ```
     /// use lobe::{PixelFilter, Roughness, filter::DiskKernel};
     /// let kernel = DiskKernel::of([0.2_f64, 0.0], [0.0, 0.2], PixelFilter::TOKUYOSHI_KAPLANYAN);
-    /// let square = |alpha| Roughness::from_alpha(alpha).unwrap().widened_on_disk(&kernel).matrix().entries()[0];
+    /// let square = |alpha| {
+    ///     Roughness::from_alpha(alpha).unwrap().widened_on_disk(&kernel).matrix().entries()[0]
+    /// };
     /// // Small alpha: as in slope space. alpha = 1: nothing to filter.
     /// assert!((square(0.01) - (1e-4 + 0.04 / core::f64::consts::PI)).abs() < 2e-4);
     /// assert_eq!(square(1.0), 1.0);
@@ -177,12 +186,15 @@ impl<R: Real> Roughness<R> {
     }
 }
 
-/// alpha of a GGX under a kernel on the disk that adds `added` to alpha^2: one axis of [`Roughness::widened_on_disk`].
+/// alpha of a GGX under a kernel on the disk that adds `added` to alpha^2: one axis of
+/// [`Roughness::widened_on_disk`].
 ///
-/// $\alpha'^2 = (\alpha^2 + (1 - \alpha^2) k)/(1 + (1 - \alpha^2) k)$, $k = 2\sigma_{px}^2 w^2$: for isotropic lobes with
-/// isotropic kernels, and for each axis of lobes and rectangles along the frame's axes. alpha of at least 1 stays.
+/// $\alpha'^2 = (\alpha^2 + (1 - \alpha^2) k)/(1 + (1 - \alpha^2) k)$, $k = 2\sigma_{px}^2 w^2$:
+/// for isotropic lobes with isotropic kernels, and for each axis of lobes and rectangles along the
+/// frame's axes. alpha of at least 1 stays.
 ///
-/// Source: Tokuyoshi & Kaplanyan 2021, Eq. 4, 6 and 7 for one axis, in $1 - \alpha^2$: no pole at 1.
+/// Source: Tokuyoshi & Kaplanyan 2021, Eq. 4, 6 and 7 for one axis, in $1 - \alpha^2$: no pole
+/// at 1.
 ///
 /// # Errors
 /// [`Error::Alpha`] unless alpha lies in $[0, 10^9]$; [`Error::Variance`] unless `added` does.
@@ -211,8 +223,9 @@ fn filtered_square<R: Real>(square: R, added: R) -> R {
     (square + seen) / (R::ONE + seen)
 }
 
-/// $A' = \frac{A + c K + (m + c \det K) I}{1 + c\,\mathrm{tr} K + m + c \det K}$, $c = \det(I - A)$, $m =
-/// \mathrm{tr}(\mathrm{adj}(A) K) - \det A\,\mathrm{tr} K$: there and back in one, for eigenvalues below 1.
+/// $A' = \frac{A + c K + (m + c \det K) I}{1 + c\,\mathrm{tr} K + m + c \det K}$, $c = \det(I -
+/// A)$, $m = \mathrm{tr}(\mathrm{adj}(A) K) - \det A\,\mathrm{tr} K$: there and back in one, for
+/// eigenvalues below 1.
 ///
 /// All terms are at least 0 and no inverse is taken; only m cancels as an eigenvalue nears 1.
 #[inline(always)]

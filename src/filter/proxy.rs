@@ -1,12 +1,13 @@
 //! Proxies: a GGX again, as bright at its peak as GGX under a pixel really is.
 //!
-//! Layer 3. Variance addition ([`Roughness::widened`]) is 8 to 24 % too bright at the peak, Kaplanyan's Eq. 20 as it
-//! is used ([`kaplanyan_proxy_alpha`](super::kaplanyan_proxy_alpha)) up to 3.1 times too dark. These have
-//! the peak right. No proxy has the tail right: it decays from the widened alpha, where the filtered lobe keeps
-//! $\alpha^2/(\pi s^4)$.
+//! Layer 3. Variance addition ([`Roughness::widened`]) is 8 to 24 % too bright at the peak,
+//! Kaplanyan's Eq. 20 as it is used ([`kaplanyan_proxy_alpha`](super::kaplanyan_proxy_alpha)) up to
+//! 3.1 times too dark. These have the peak right. No proxy has the tail right: it decays from the
+//! widened alpha, where the filtered lobe keeps $\alpha^2/(\pi s^4)$.
 //!
-//! What the isotropic formulas mean for any matrix: $A' = A + t K$, the kernel's own shape, with the one number t
-//! that gives the peak, $\pi^2 \det(A + t K) = 1/\bar P(0)^2$. One lobe has one peak: nothing else is matched.
+//! What the isotropic formulas mean for any matrix: $A' = A + t K$, the kernel's own shape, with
+//! the one number t that gives the peak, $\pi^2 \det(A + t K) = 1/\bar P(0)^2$. One lobe has one
+//! peak: nothing else is matched.
 
 use super::gaussian::ggx_gaussian_mean;
 use super::kernel::Kernel;
@@ -18,13 +19,14 @@ use crate::slope::{Anisotropic, Footprint, Lobe, LobeShape, Roughness};
 
 /// alpha of the GGX with the peak of GGX averaged over a square: Kaplanyan's Eq. 20, re-derived.
 ///
-/// $\alpha'^2 = \frac{w \sqrt{4\alpha^2 + w^2}}{4 \arctan(w/\sqrt{4\alpha^2 + w^2})}$: $\alpha^2 + w^2/3$ for small
-/// w, $w^2/\pi$ for large. `width` is the full width w of the square, in slope. Exact; a few roundings in f32.
-/// $\sqrt{\alpha^2 + w^2/\pi}$ is within 0.55 % of it and is variance addition with
+/// $\alpha'^2 = \frac{w \sqrt{4\alpha^2 + w^2}}{4 \arctan(w/\sqrt{4\alpha^2 + w^2})}$: $\alpha^2 +
+/// w^2/3$ for small w, $w^2/\pi$ for large. `width` is the full width w of the square, in slope.
+/// Exact; a few roundings in f32. $\sqrt{\alpha^2 + w^2/\pi}$ is within 0.55 % of it and is
+/// variance addition with
 /// [`PixelFilter::TOKUYOSHI_KAPLANYAN`](super::PixelFilter::TOKUYOSHI_KAPLANYAN).
 ///
-/// Source: Kaplanyan et al. 2016, Eq. 18 to 20, solved anew: the printed line is garbled, and its last form
-/// ([`kaplanyan_proxy_alpha`](super::kaplanyan_proxy_alpha)) is not close to it.
+/// Source: Kaplanyan et al. 2016, Eq. 18 to 20, solved anew: the printed line is garbled, and its
+/// last form ([`kaplanyan_proxy_alpha`](super::kaplanyan_proxy_alpha)) is not close to it.
 ///
 /// # Errors
 /// [`Error::Alpha`], [`Error::Width`] outside $[0, 10^9]$.
@@ -55,8 +57,9 @@ pub fn box_peak_alpha<R: Real>(alpha: R, width: R) -> Result<R, Error> {
 
 /// alpha of the GGX with the peak of GGX under an isotropic Gaussian of deviation `sigma`.
 ///
-/// $\alpha'^2 = k / (1 - x e^x E_1(x))$ with $k = 2\sigma^2$, $x = \alpha^2/k$: $\alpha^2 + 2k$ for small k, $k$ for
-/// large. Computed as $\alpha^2 + k g(x)$, $1 < g \le 2$: 1e-6 in f32, 1e-15 in f64.
+/// $\alpha'^2 = k / (1 - x e^x E_1(x))$ with $k = 2\sigma^2$, $x = \alpha^2/k$: $\alpha^2 + 2k$ for
+/// small k, $k$ for large. Computed as $\alpha^2 + k g(x)$, $1 < g \le 2$: 1e-6 in f32, 1e-15 in
+/// f64.
 ///
 /// Source: derived here from the mixture of [`ggx_gaussian_mean`] at the lobe's center.
 ///
@@ -92,7 +95,8 @@ struct Whitened<R> {
 }
 
 impl<R: Real> Whitened<R> {
-    /// `None` for a mirror or a groove, and for a kernel so large (a trace above 1e18) that the lobe counts as one.
+    /// `None` for a mirror or a groove, and for a kernel so large (a trace above 1e18) that the
+    /// lobe counts as one.
     #[inline(always)]
     fn of(lobe: &Psd<R>, kernel: &Psd<R>) -> Option<Self> {
         if lobe.is_singular() {
@@ -110,13 +114,14 @@ impl<R: Real> Whitened<R> {
         positive_root(self.root_det, self.trace, excess)
     }
 
-    /// A fit of the factor for which $A + tK$ has the peak of GGX under the Gaussian of $K = 2\Sigma_K$.
+    /// A fit of the factor for which $A + tK$ has the peak of GGX under the Gaussian of $K =
+    /// 2\Sigma_K$.
     ///
-    /// The first term is the isotropic case, where $\kappa$ is k/alpha^2: largest error of alpha'^2 0.04 % over
-    /// any kappa. The second is what lines need, $4/\pi - 1$ in the limit, and fades as the kernel's minor
-    /// axis grows. Largest error of the peak over kernels of every size and aspect: 1.32 %, at 126 by 4
-    /// alpha^2 (`the_fit_of_the_peak_errs_as_stated` in tests/laws/proxy.rs). Fitted by `tests/golden/fit.py`, `peak_round` and
-    /// `peak_long`.
+    /// The first term is the isotropic case, where $\kappa$ is k/alpha^2: largest error of alpha'^2
+    /// 0.04 % over any kappa. The second is what lines need, $4/\pi - 1$ in the limit, and fades as
+    /// the kernel's minor axis grows. Largest error of the peak over kernels of every size and
+    /// aspect: 1.32 %, at 126 by 4 alpha^2 (`the_fit_of_the_peak_errs_as_stated` in
+    /// tests/laws/proxy.rs). Fitted by `tests/golden/fit.py`, `peak_round` and `peak_long`.
     #[inline(always)]
     fn fitted_factor(&self) -> R {
         let kappa = R::HALF * self.trace;
@@ -127,13 +132,15 @@ impl<R: Real> Whitened<R> {
         let ratio = (self.root_det / kappa.max(R::MIN_POSITIVE)).kept();
         let line = (R::ONE - ratio * ratio).max(R::ZERO);
         let minor = R::HALF * self.root_det * ratio;
-        // Kept: a product of the quotients may be taken as a quotient of products, which leave the range of f32.
+        // Kept: a product of the quotients may be taken as a quotient of products, which leave the
+        // range of f32.
         let long = (lit(0.2104) * kappa / (R::ONE + lit(0.08939) * s + lit(0.2104) * kappa)).kept();
         R::ONE + round.kept() + long_term(minor) * line * long
     }
 }
 
-/// What the factor gains for kernels long against the lobe, by their minor axis in units of the lobe.
+/// What the factor gains for kernels long against the lobe, by their minor axis in units of the
+/// lobe.
 #[inline(always)]
 fn long_term<R: Real>(minor: R) -> R {
     let four_over_pi = R::lit(4.0 * core::f64::consts::FRAC_1_PI);
@@ -147,13 +154,14 @@ fn mirror_factor<R: Real>(lobe: &Psd<R>, kernel: &Psd<R>) -> R {
     if mixed > R::ZERO { R::ONE + long_term(minor) } else { R::ONE }
 }
 
-/// t with $t^2 d^2 + t m = e^2$ from d, m and e, none negative: without cancellation, and without their squares, which
-/// leave f32.
+/// t with $t^2 d^2 + t m = e^2$ from d, m and e, none negative: without cancellation, and without
+/// their squares, which leave f32.
 fn positive_root<R: Real>(d: R, m: R, e: R) -> R {
     let twice = (R::TWO * d * e).min(R::MAX);
     let scale = m.max(twice);
     if !(scale > R::ZERO) {
-        // A mirror. Over a small area, m is 0 and 2 d e underflows to 0: t = e/d. Along a line d is 0, and no t gives e.
+        // A mirror. Over a small area, m is 0 and 2 d e underflows to 0: t = e/d. Along a line d is
+        // 0, and no t gives e.
         return if d > R::ZERO { e / d.max(R::MIN_POSITIVE) } else { R::ZERO };
     }
     let scale = scale.max(R::MIN_POSITIVE);
@@ -163,12 +171,13 @@ fn positive_root<R: Real>(d: R, m: R, e: R) -> R {
 }
 
 impl<R: Real> Roughness<R> {
-    /// The roughness $A + t K$, $K = 2\Sigma_K$, with the exact peak of GGX under the Gaussian kernel.
+    /// The roughness $A + t K$, $K = 2\Sigma_K$, with the exact peak of GGX under the Gaussian
+    /// kernel.
     ///
-    /// By [`ggx_gaussian_mean`]: a reference; [`Roughness::peak_fitted`] is for shading. For isotropic A and K it is
-    /// [`gaussian_peak_alpha`]. t lies in \[1, 2\]; for a mirror it is 1, where GGX is the kernel; for a mirror along one axis
-    /// only it is what the peak asks for, unless the kernel is a line along the other axis: then the peak has no end, and
-    /// t is 1.
+    /// By [`ggx_gaussian_mean`]: a reference; [`Roughness::peak_fitted`] is for shading. For
+    /// isotropic A and K it is [`gaussian_peak_alpha`]. t lies in \[1, 2\]; for a mirror it is 1,
+    /// where GGX is the kernel; for a mirror along one axis only it is what the peak asks for,
+    /// unless the kernel is a line along the other axis: then the peak has no end, and t is 1.
     ///
     /// ```
     /// use lobe::{Footprint, Kernel, PixelFilter, Roughness, filter::gaussian_peak_alpha};
@@ -184,16 +193,18 @@ impl<R: Real> Roughness<R> {
         self.with_peak(&(kernel.covariance() * R::TWO), peak, [1.0, 2.0])
     }
 
-    /// The same by a fit without transcendental functions: the peak is within 1.32 % for any A and kernel; where both
-    /// are isotropic, alpha'^2 is within 0.04 %.
+    /// The same by a fit without transcendental functions: the peak is within 1.32 % for any A and
+    /// kernel; where both are isotropic, alpha'^2 is within 0.04 %.
     ///
-    /// Variance addition is 8 to 24 % too bright there. One GGX cannot have both the peak and the flanks: against the
-    /// exact convolution this one's L1 error is no smaller than variance addition's, and in pictures neither is better
-    /// throughout (the report measures both). A mirror becomes the kernel; a kernel of 0 leaves A.
+    /// Variance addition is 8 to 24 % too bright there. One GGX cannot have both the peak and the
+    /// flanks: against the exact convolution this one's L1 error is no smaller than variance
+    /// addition's, and in pictures neither is better throughout (the report measures both). A
+    /// mirror becomes the kernel; a kernel of 0 leaves A.
     ///
     /// ```
     /// use lobe::{Footprint, Kernel, PixelFilter, Roughness};
-    /// let kernel = Kernel::of(&Footprint::from_slopes([0.3_f64, 0.1], [0.0, 0.02]), PixelFilter::BOX);
+    /// let kernel =
+    ///     Kernel::of(&Footprint::from_slopes([0.3_f64, 0.1], [0.0, 0.02]), PixelFilter::BOX);
     /// let base = Roughness::from_alphas(0.05, 0.02, 0.4)?;
     /// let (fitted, matched) = (base.peak_fitted(&kernel), base.peak_matched(&kernel));
     /// assert!((fitted.matrix().root_det() / matched.matrix().root_det() - 1.0).abs() < 0.0132);
@@ -212,11 +223,13 @@ impl<R: Real> Roughness<R> {
         *self + Self::from_matrix(added * factor)
     }
 
-    /// The roughness $A + t (u u^T + v v^T)$ with the exact peak of GGX averaged over the footprint.
+    /// The roughness $A + t (u u^T + v v^T)$ with the exact peak of GGX averaged over the
+    /// footprint.
     ///
-    /// By [`Ndf::parallelogram_mean`](crate::Ndf::parallelogram_mean) at the center. For isotropic A and a square it
-    /// is [`box_peak_alpha`]; t is 1/3 for small footprints, $1/\pi$ for large areas, $4/\pi^2$ for long lines, down to
-    /// $2/\pi^2$ where both sides lie along one line. A mirror gets $1/\pi$, and so does a groove over a line along it.
+    /// By [`Ndf::parallelogram_mean`](crate::Ndf::parallelogram_mean) at the center. For isotropic
+    /// A and a square it is [`box_peak_alpha`]; t is 1/3 for small footprints, $1/\pi$ for large
+    /// areas, $4/\pi^2$ for long lines, down to $2/\pi^2$ where both sides lie along one line. A
+    /// mirror gets $1/\pi$, and so does a groove over a line along it.
     ///
     /// ```
     /// use lobe::{Footprint, Ggx, Roughness, filter::box_peak_alpha};
@@ -238,11 +251,13 @@ impl<R: Real> Roughness<R> {
         self.with_peak(&kernel, peak, [0.2, 0.41])
     }
 
-    /// $A + t K$ with this peak; t is known to lie in a range, which rounding may leave for small kernels.
+    /// $A + t K$ with this peak; t is known to lie in a range, which rounding may leave for small
+    /// kernels.
     fn with_peak(&self, kernel: &Psd<R>, peak: R, [least, most]: [f64; 2]) -> Self {
         let matrix = self.matrix();
         let root_det = Anisotropic::new(*self).root_det();
-        // The peak of a lobe under a very wide kernel underflows: it must not become a divisor of 0.
+        // The peak of a lobe under a very wide kernel underflows: it must not become a divisor
+        // of 0.
         let least_peak = R::MIN_POSITIVE;
         let factor = if let Some(whitened) = Whitened::of(&matrix, kernel) {
             whitened.factor(R::ONE / (R::PI * peak * root_det).max(least_peak))
@@ -250,7 +265,8 @@ impl<R: Real> Roughness<R> {
             let ratio = R::ONE / (R::PI * peak).max(least_peak);
             positive_root(kernel.root_det(), matrix.mixed_det(kernel), ratio)
         };
-        // `peak` is 0 if the averaged density has no finite peak. No t gives such a peak; the least one is taken.
+        // `peak` is 0 if the averaged density has no finite peak. No t gives such a peak; the least
+        // one is taken.
         let factor = if peak > R::ZERO {
             factor.max(R::lit(least)).min(R::lit(most))
         } else {

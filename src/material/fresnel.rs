@@ -1,4 +1,5 @@
-//! Fresnel reflectance: Schlick's approximation and the exact term of a conductor, in three channels.
+//! Fresnel reflectance: Schlick's approximation and the exact term of a conductor, in three
+//! channels.
 //!
 //! Layer 4. The lobe's functions leave it out, as engines bring their own; the facade needs one.
 
@@ -32,8 +33,8 @@ impl<R: Real> Fresnel<R> {
         Self { term: Term::Schlick { normal: [R::ONE; 3] } }
     }
 
-    /// Schlick's approximation, $F = F_0 + (1 - F_0)(1 - \cos\theta)^5$, from the reflectance at normal
-    /// incidence.
+    /// Schlick's approximation, $F = F_0 + (1 - F_0)(1 - \cos\theta)^5$, from the reflectance at
+    /// normal incidence.
     ///
     /// Source: Schlick 1994, Eq. 15.
     ///
@@ -55,18 +56,19 @@ impl<R: Real> Fresnel<R> {
         }
     }
 
-    /// The exact unpolarized term of an interface with complex index `eta + i k`, relative to the outside;
-    /// `k = 0` is a dielectric seen from outside, or from inside if `eta < 1`.
+    /// The exact unpolarized term of an interface with complex index `eta + i k`, relative to the
+    /// outside; `k = 0` is a dielectric seen from outside, or from inside if `eta < 1`.
     ///
     /// With $a + i b = \sqrt{(\eta + i k)^2 - \sin^2\theta}$:
     /// $R_s = \frac{(a - \cos\theta)^2 + b^2}{(a + \cos\theta)^2 + b^2}$,
-    /// $R_p = R_s \frac{(a \cos\theta - \sin^2\theta)^2 + b^2 \cos^2\theta}{(a \cos\theta + \sin^2\theta)^2
-    /// + b^2 \cos^2\theta}$, $F = (R_s + R_p)/2$.
+    /// $R_p = R_s \frac{(a \cos\theta - \sin^2\theta)^2 + b^2 \cos^2\theta}{(a \cos\theta +
+    /// \sin^2\theta)^2 + b^2 \cos^2\theta}$, $F = (R_s + R_p)/2$.
     ///
     /// Source: Born & Wolf, section 14.2, as sums of squares, which do not cancel.
     ///
     /// # Errors
-    /// [`Error::Eta`] unless `eta` lies in $(0, 10^9]$; [`Error::K`] unless `k` lies in $[0, 10^9]$.
+    /// [`Error::Eta`] unless `eta` lies in $(0, 10^9]$; [`Error::K`] unless `k` lies in $[0,
+    /// 10^9]$.
     ///
     /// ```
     /// use lobe::material::Fresnel;

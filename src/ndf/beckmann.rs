@@ -14,8 +14,8 @@ impl Distribution for BeckmannDistribution {
     #[inline(always)]
     fn density<R: Real>(form: R, root_det: R, z: R, length_squared: R, weight: R) -> R {
         let z2 = z * z;
-        // Two halves of the exponential: e^-q may be subnormal where e^-q / sqrt(det A) is not. A mirror's exponent has
-        // nothing to divide by.
+        // Two halves of the exponential: e^-q may be subnormal where e^-q / sqrt(det A) is not. A
+        // mirror's exponent has nothing to divide by.
         let e = (-R::HALF * form / (root_det * z2).max(R::MIN_POSITIVE)).exp();
         let ratio = length_squared / z2;
         let half = e * ratio;
@@ -23,9 +23,9 @@ impl Distribution for BeckmannDistribution {
         if e.min(root_det) > R::ZERO { density } else { R::ZERO }
     }
 
-    /// $\sigma = \frac{c}{2}(1 + \mathrm{erf}\,v) + \frac{a}{2\sqrt\pi} e^{-v^2}$ with $v = c/a$, so the
-    /// excess is $\frac{a}{2} \mathrm{ierfc}(v) = \frac{a}{2} e^{-v^2} \mathrm{ierfcx}(v)$: no
-    /// difference of nearly equal terms is left.
+    /// $\sigma = \frac{c}{2}(1 + \mathrm{erf}\,v) + \frac{a}{2\sqrt\pi} e^{-v^2}$ with $v = c/a$,
+    /// so the excess is $\frac{a}{2} \mathrm{ierfc}(v) = \frac{a}{2} e^{-v^2} \mathrm{ierfcx}(v)$:
+    /// no difference of nearly equal terms is left.
     #[inline(always)]
     fn excess<R: Real>(c: R, a2: R) -> R {
         let a2 = a2.max(R::MIN_POSITIVE);
@@ -37,9 +37,10 @@ impl Distribution for BeckmannDistribution {
 impl<S: LobeShape> Ndf<BeckmannDistribution, S> {
     /// Walter's rational fit of Beckmann's Lambda, for comparison and for copying shaders.
     ///
-    /// $\Lambda \approx \frac{1 - 1.259 v + 0.396 v^2}{3.535 v + 2.181 v^2}$ for $v = c/a < 1.6$, else 0.
-    /// Error of $G_1$ up to 3.11e-3 (at v = 1.34). From v = 1.548 to the jump at 1.6 the fit lies below 0, by up to
-    /// 6.2e-5: there Lambda is wrong by all it is. [`Ndf::lambda`] is exact. `c <= 0` gives the largest finite number.
+    /// $\Lambda \approx \frac{1 - 1.259 v + 0.396 v^2}{3.535 v + 2.181 v^2}$ for $v = c/a < 1.6$,
+    /// else 0. Error of $G_1$ up to 3.11e-3 (at v = 1.34). From v = 1.548 to the jump at 1.6 the
+    /// fit lies below 0, by up to 6.2e-5: there Lambda is wrong by all it is. [`Ndf::lambda`] is
+    /// exact. `c <= 0` gives the largest finite number.
     ///
     /// Source: Walter et al. 2007, Eq. 26, in the Lambda form of Heitz 2014; LEADR supplement 3.2
     /// (whose clamp of v to 1.599 leaves a Lambda of -5.8e-5 where its text says 0).

@@ -16,17 +16,19 @@ mod sealed {
 
 /// The two scalar functions that make a distribution; sealed.
 pub trait Distribution: sealed::Sealed + Copy {
-    /// `weight` times $\pi P_{22}(s)\, \ell^4/z^4$ of a direction of height `z` whose [`LobeShape::form`] is `form`,
-    /// with `length_squared` = $\ell^2$.
+    /// `weight` times $\pi P_{22}(s)\, \ell^4/z^4$ of a direction of height `z` whose
+    /// [`LobeShape::form`] is `form`, with `length_squared` = $\ell^2$.
     ///
-    /// The density is homogeneous of degree 0 in form (2), z (1) and length, so that a half vector need not
-    /// be normalized. The weight is a factor within: a density below the range of f32 times a visibility
-    /// above 1 need not be. Of a mirror, whose `root_det` is 0, it is 0 or NaN: callers drop NaN.
+    /// The density is homogeneous of degree 0 in form (2), z (1) and length, so that a half vector
+    /// need not be normalized. The weight is a factor within: a density below the range of f32
+    /// times a visibility above 1 need not be. Of a mirror, whose `root_det` is 0, it is 0 or NaN:
+    /// callers drop NaN.
     #[doc(alias = "lobe_ggx_density")]
     #[doc(alias = "lobe_beckmann_density")]
     fn density<R: Real>(form: R, root_det: R, z: R, length_squared: R, weight: R) -> R;
 
-    /// $\sigma(w) - \max(c, 0)$ for $|c|$ and $a^2$: the projected area beyond that of the mean plane.
+    /// $\sigma(w) - \max(c, 0)$ for $|c|$ and $a^2$: the projected area beyond that of the mean
+    /// plane.
     ///
     /// One function serves both signs of c, as $\sigma(w) - \sigma(-w) = c$. `c >= 0`, `a2 >= 0`; 0
     /// where both are.
@@ -50,9 +52,10 @@ fn inverse_pi<R: Real>() -> R {
 
 /// A distribution of normals: a [`Distribution`] over a [`LobeShape`].
 ///
-/// Use it through [`Beckmann`](crate::Beckmann) and [`Ggx`](crate::Ggx). All methods are total: below
-/// the horizon of the mean plane, and for a mirror, densities are 0. Finite input in the documented
-/// domain (alpha 0 or 1e-9 to 1e9, slopes and means to 1e9 in f32) never gives NaN or infinity.
+/// Use it through [`Beckmann`](crate::Beckmann) and [`Ggx`](crate::Ggx). All methods are total:
+/// below the horizon of the mean plane, and for a mirror, densities are 0. Finite input in the
+/// documented domain (alpha 0 or 1e-9 to 1e9, slopes and means to 1e9 in f32) never gives NaN or
+/// infinity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ndf<D, S> {
     shape: S,
@@ -74,8 +77,8 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
 
     /// Slope density $P_{22}(s)$; integrates to 1 over the plane.
     ///
-    /// $P_{22} = e^{-q} / (\pi \sqrt{\det A})$ (Beckmann), $1 / (\pi \sqrt{\det A}\,(1 + q)^2)$ (GGX),
-    /// $q = (s - \mu)^T A^{-1} (s - \mu)$. Unit: one over squared slope. 0 for a mirror.
+    /// $P_{22} = e^{-q} / (\pi \sqrt{\det A})$ (Beckmann), $1 / (\pi \sqrt{\det A}\,(1 + q)^2)$
+    /// (GGX), $q = (s - \mu)^T A^{-1} (s - \mu)$. Unit: one over squared slope. 0 for a mirror.
     ///
     /// ```
     /// use lobe::{Ggx, Isotropic};
@@ -98,9 +101,9 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
 
     /// Density of normals $D(m) = P_{22}(s(m)) / m_z^4$, per solid angle.
     ///
-    /// $\int m_z D(m)\,dm = 1$. `m` is taken as given: it is not renormalized (D is then homogeneous
-    /// of degree -4). Takes the vector, never a cosine: $1 - (n \cdot h)^2$ costs 18 % at alpha = 0.001
-    /// in f32. 0 for `m_z <= 0`.
+    /// $\int m_z D(m)\,dm = 1$. `m` is taken as given: it is not renormalized (D is then
+    /// homogeneous of degree -4). Takes the vector, never a cosine: $1 - (n \cdot h)^2$ costs 18 %
+    /// at alpha = 0.001 in f32. 0 for `m_z <= 0`.
     ///
     /// ```
     /// use lobe::{Ggx, Isotropic};
@@ -122,11 +125,11 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
 
     /// The BRDF without Fresnel, $D(h)\, G_2 / (4 c_o c_i)$, per solid angle.
     ///
-    /// $h$ is the half vector of the unit directions `wo` and `wi`, $c$ the projected area of the mean
-    /// plane (meso normalization, LEADR; for centered lobes $c = w_z$), $G_2$ height-correlated. Multiply
-    /// by Fresnel and by $c_i$ to shade. The sum $w_o + w_i$ is carried to twice the precision for
-    /// the shapes that need it. 0 if $c_o \le 0$, $c_i \le 0$ or $h$ is below the horizon; at most the largest
-    /// finite number.
+    /// $h$ is the half vector of the unit directions `wo` and `wi`, $c$ the projected area of the
+    /// mean plane (meso normalization, LEADR; for centered lobes $c = w_z$), $G_2$
+    /// height-correlated. Multiply by Fresnel and by $c_i$ to shade. The sum $w_o + w_i$ is carried
+    /// to twice the precision for the shapes that need it. 0 if $c_o \le 0$, $c_i \le 0$ or $h$ is
+    /// below the horizon; at most the largest finite number.
     ///
     /// ```
     /// use lobe::{Beckmann, Isotropic};
@@ -144,14 +147,17 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
         let weight = S::Scalar::HALF * inverse_pi::<S::Scalar>() / sum;
         let (brdf, z) = self.half_density(wo, wi, weight);
         let lowest = c_o.min(c_i);
-        // Directions above the surface have a half vector above it; above a tilted plane, not always.
+        // Directions above the surface have a half vector above it; above a tilted plane, not
+        // always.
         let lowest = if S::CENTERED { lowest } else { lowest.min(z) };
-        // A limit of 0 instead of a branch: loops over samples stay free of jumps. `max` drops the NaN of a mirror's 0/0.
+        // A limit of 0 instead of a branch: loops over samples stay free of jumps. `max` drops the
+        // NaN of a mirror's 0/0.
         let limit = if lowest > S::Scalar::ZERO { S::Scalar::MAX } else { S::Scalar::ZERO };
         brdf.max(S::Scalar::ZERO).min(limit)
     }
 
-    /// `weight` times $\pi D$ at the half vector, of directions that are not checked, and the height of their sum.
+    /// `weight` times $\pi D$ at the half vector, of directions that are not checked, and the
+    /// height of their sum.
     #[inline(always)]
     fn half_density(
         &self,
@@ -169,8 +175,9 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
 
     /// The BRDF times the cosine of `wi` with masking alone, $D(h)/(4 \sigma_o)$: no shadows.
     ///
-    /// For displaced surfaces whose own shadows are not drawn (LEADR). `wi` may lie anywhere, as nothing shades it; 0 if
-    /// $\sigma_o$ is, or h lies below the horizon; at most the largest finite number.
+    /// For displaced surfaces whose own shadows are not drawn (LEADR). `wi` may lie anywhere, as
+    /// nothing shades it; 0 if $\sigma_o$ is, or h lies below the horizon; at most the largest
+    /// finite number.
     ///
     /// Source: Dupuy et al. 2013, supplement, section 1.5.
     ///

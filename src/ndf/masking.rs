@@ -1,8 +1,9 @@
 //! Masking and shadowing, all derived from the projected area.
 //!
-//! Layer 2. The projected area has no pole at grazing angles and holds for tilted means; Lambda, G1,
-//! G2 and visibility follow from it. Normalization is LEADR's meso form: c(w) is the projected area
-//! of the mean plane. (The macro form, G1 = w_z / sigma, gives a negative G2 for tilted means.)
+//! Layer 2. The projected area has no pole at grazing angles and holds for tilted means; Lambda,
+//! G1, G2 and visibility follow from it. Normalization is LEADR's meso form: c(w) is the projected
+//! area of the mean plane. (The macro form, G1 = w_z / sigma, gives a negative G2 for tilted
+//! means.)
 
 use super::distribution::{Distribution, Ndf};
 use crate::scalar::Real;
@@ -14,7 +15,8 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// GGX: $\sigma = (c + \sqrt{c^2 + a^2})/2$. Beckmann:
     /// $\sigma = \frac{c}{2}(1 + \mathrm{erf}\,v) + \frac{a}{2\sqrt\pi} e^{-v^2}$, $v = c/a$. With
     /// $c = w_z - \mu \cdot w_{xy}$ and $a^2 = w_{xy}^T A w_{xy}$. For any `w`, above or below the
-    /// horizon; homogeneous of degree 1. At normal incidence $\sigma = c$; for a mirror $\max(c, 0)$.
+    /// horizon; homogeneous of degree 1. At normal incidence $\sigma = c$; for a mirror $\max(c,
+    /// 0)$.
     ///
     /// Source: Heitz 2014, LEADR supplement 1.5; closed forms as in Dupuy's dj_brdf.
     ///
@@ -81,8 +83,8 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
         (c / (c + excess).max(S::Scalar::MIN_POSITIVE)).max(S::Scalar::ZERO)
     }
 
-    /// Height-correlated masking and shadowing $G_2 = 1/(1 + \Lambda_o + \Lambda_i)$, in \[0, 1\]; 0
-    /// for $c_o \le 0$ or $c_i \le 0$.
+    /// Height-correlated masking and shadowing $G_2 = 1/(1 + \Lambda_o + \Lambda_i)$, in \[0, 1\];
+    /// 0 for $c_o \le 0$ or $c_i \le 0$.
     ///
     /// Source: Heitz 2014, Eq. 99.
     ///

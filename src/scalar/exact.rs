@@ -1,9 +1,9 @@
 //! Sums and products with their rounding errors: what keeps f32 determinants and dot products true.
 //!
 //! Layer 0. Written without fused multiply-add, which is a slow library call on targets that lack
-//! it; the split by bit mask cannot overflow, and no compiler can fuse it away. What shader compilers
-//! could fold, fuse or factor is kept ([`Internal::kept`]): under fast math they take sums in any order, so that every
-//! partial sum that is exact stands alone.
+//! it; the split by bit mask cannot overflow, and no compiler can fuse it away. What shader
+//! compilers could fold, fuse or factor is kept ([`Internal::kept`]): under fast math they take
+//! sums in any order, so that every partial sum that is exact stands alone.
 
 use super::Real;
 
@@ -16,7 +16,8 @@ pub(crate) fn two_sum<R: Real>(a: R, b: R) -> (R, R) {
     sum.with_rest((a - a_part).kept() + (b - b_part).kept())
 }
 
-/// `a * b` as rounded product and its error (Dekker 1971, with the split of [`Internal::upper_half`]).
+/// `a * b` as rounded product and its error (Dekker 1971, with the split of
+/// [`Internal::upper_half`]).
 ///
 /// The error is exact in f32, and to one unit of twice the precision in f64, as long as it does
 /// not underflow.

@@ -48,7 +48,8 @@ const ROUNDER_F64: f64 = 6_755_399_441_055_744.0;
 ///
 /// All x: infinity from 88.72284 on, subnormal results (flushed or not, as the machine does) below
 /// -87.33655, 0 below -103.98; exp(-inf) = 0, exp(inf) = inf, NaN gives NaN. Measured error: at
-/// most 0.9 ulp (at 4.506177; tests/laws/certificates.rs), 0.75 of the smallest number where the result is subnormal.
+/// most 0.9 ulp (at 4.506177; tests/laws/certificates.rs), 0.75 of the smallest number where the
+/// result is subnormal.
 #[inline(always)]
 pub(crate) fn exp_f32<S: Single>(x: S) -> S {
     exp_difference_f32(x, S::ZERO)

@@ -7,12 +7,13 @@ use super::Real;
 /// Euler's constant, to 20 digits (OEIS A001620).
 const EULER: f64 = 0.577_215_664_901_532_9;
 
-/// $1/(e^x E_2(x)) - x$ for x >= 0, where $e^x E_2(x) = 1 - x e^x E_1(x)$: from 1 at 0 to 2 at infinity.
+/// $1/(e^x E_2(x)) - x$ for x >= 0, where $e^x E_2(x) = 1 - x e^x E_1(x)$: from 1 at 0 to 2 at
+/// infinity.
 ///
-/// Below 1 the power series of $E_1$, above it the continued fraction $x + 2 - 2/(x + 4 - 6/(x + 6 - \dots))$
-/// (Abramowitz & Stegun 5.1.22), whose tail is this very function: no term cancels. The series lasts longer, but
-/// from 1 on it loses a digit for every half of x. Terms to 1e-8 (f32) and 3e-16 (f64), relative;
-/// tests/laws/scalar.rs holds both.
+/// Below 1 the power series of $E_1$, above it the continued fraction $x + 2 - 2/(x + 4 - 6/(x +
+/// 6 - \dots))$ (Abramowitz & Stegun 5.1.22), whose tail is this very function: no term cancels.
+/// The series lasts longer, but from 1 on it loses a digit for every half of x. Terms to 1e-8 (f32)
+/// and 3e-16 (f64), relative; tests/laws/scalar.rs holds both.
 pub(crate) fn reciprocal_e2_tail<R: Real>(x: R) -> R {
     let (terms, depth) = if R::SINGLE { (11, 32) } else { (18, 100) };
     if x < R::ONE {

@@ -6,7 +6,8 @@ use super::real::{Internal, Real};
 use super::{atan, erfc, exp, ln, math};
 
 macro_rules! impl_real {
-    ($t:ident, $single:literal, $mask:literal, $fraction:literal, $bias:literal, $sqrt:ident, $exp:ident, $ln:ident, $atan:ident, $atan2:ident,
+    ($t:ident, $single:literal, $mask:literal, $fraction:literal, $bias:literal, $sqrt:ident,
+     $exp:ident, $ln:ident, $atan:ident, $atan2:ident,
      $upper_angle:ident, $atan_excess:ident, $erfc:ident, $erfcx:ident, $ierfcx:ident) => {
         impl Internal for $t {
             const SINGLE: bool = $single;

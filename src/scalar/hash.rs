@@ -25,8 +25,8 @@ pub(crate) fn uniform<R: Real>(word: u32) -> R {
     R::lit(f64::from(word >> 8)) * R::power_of_two(-24)
 }
 
-/// A word as a number in (0, 1), $2^{-33}$ to $1 - 2^{-24}$: the middle of its cell of width $2^{-23}$, and of
-/// $2^{-32}$ below $2^{-9}$, where rare events are told apart.
+/// A word as a number in (0, 1), $2^{-33}$ to $1 - 2^{-24}$: the middle of its cell of width
+/// $2^{-23}$, and of $2^{-32}$ below $2^{-9}$, where rare events are told apart.
 #[inline(always)]
 pub(crate) fn tail<R: Real>(word: u32) -> R {
     if word < 1 << 23 {

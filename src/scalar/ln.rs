@@ -5,13 +5,15 @@
 use super::exp::{LN_TWO_F32, LN_TWO_F64, polynomial_f64};
 use super::single::Single;
 
-/// Coefficients of (ln((1 + s)/(1 - s)) - 2 s)/s^3 in z = s^2, 0 <= z <= 0.02944 (a little over 3 - 2 sqrt(2), squared).
+/// Coefficients of (ln((1 + s)/(1 - s)) - 2 s)/s^3 in z = s^2, 0 <= z <= 0.02944 (a little over 3 -
+/// 2 sqrt(2), squared).
 ///
 /// Maximal error relative to the logarithm: 8.25e-10 (2^-30.17), at z = 0.02944.
 /// Fitted by `tests/golden/fit.py`, `fit_ln("ln_f32", ...)`.
 const LN_F32: [f32; 3] = [0.666_667_76, 0.399_775_7, 0.298_710_44];
 
-/// Coefficients of (ln((1 + s)/(1 - s)) - 2 s)/s^3 in z = s^2, 0 <= z <= 0.02944 (a little over 3 - 2 sqrt(2), squared).
+/// Coefficients of (ln((1 + s)/(1 - s)) - 2 s)/s^3 in z = s^2, 0 <= z <= 0.02944 (a little over 3 -
+/// 2 sqrt(2), squared).
 ///
 /// Maximal error relative to the logarithm: 1.53e-18 (2^-59.19), at z = 0.0251.
 /// Fitted by `tests/golden/fit.py`, `fit_ln("ln_f64", ...)`.
@@ -27,8 +29,8 @@ const LN_F64: [f64; 7] = [
 
 /// The natural logarithm, ln(x) = k ln(2) + ln(1 + f) with 1 + f from sqrt(1/2) to sqrt(2).
 ///
-/// All x: -infinity at 0, NaN below, infinity at infinity; subnormal numbers included. Measured error: at most
-/// 0.84 ulp (at 1.413319; tests/laws/certificates.rs).
+/// All x: -infinity at 0, NaN below, infinity at infinity; subnormal numbers included. Measured
+/// error: at most 0.84 ulp (at 1.413319; tests/laws/certificates.rs).
 #[inline(always)]
 pub(crate) fn ln_f32<S: Single>(x: S) -> S {
     const ROOT_HALF: u32 = 0x3F35_04F3;
@@ -49,8 +51,8 @@ pub(crate) fn ln_f32<S: Single>(x: S) -> S {
     if x > S::ZERO && x <= S::MAX { ln } else { edge_f32(x) }
 }
 
-/// The natural logarithm, as [`ln_f32`]. Measured error: 0.85 ulp (at 0.707103) over 4 million random numbers
-/// against mpmath; tests/laws/scalar.rs holds one rounding.
+/// The natural logarithm, as [`ln_f32`]. Measured error: 0.85 ulp (at 0.707103) over 4 million
+/// random numbers against mpmath; tests/laws/scalar.rs holds one rounding.
 #[inline]
 pub(crate) fn ln_f64(x: f64) -> f64 {
     const ROOT_HALF: u64 = 0x3FE6_A09E_667F_3BCD;

@@ -1,7 +1,7 @@
 //! The three functions that come from outside: sqrt, sin and cos, by std or by libm.
 //!
-//! Layer 0. Everything else is our own polynomial, so that builds with and without std compute the same bits
-//! (sqrt is correctly rounded everywhere; sin and cos serve constructors only).
+//! Layer 0. Everything else is our own polynomial, so that builds with and without std compute the
+//! same bits (sqrt is correctly rounded everywhere; sin and cos serve constructors only).
 
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("lobe needs one of the features `std` (the default) and `libm`");

@@ -46,7 +46,8 @@ impl<R: Real> Psd<R> {
     /// The matrix with these entries.
     ///
     /// A determinant that is negative by no more than the rounding of the entries
-    /// ($2 \epsilon\, xx\, yy$, or underflow) counts as zero: the outer product of a rounded vector passes.
+    /// ($2 \epsilon\, xx\, yy$, or underflow) counts as zero: the outer product of a rounded vector
+    /// passes.
     ///
     /// # Errors
     /// [`Error::MatrixEntry`] unless all entries lie in $[-10^{18}, 10^{18}]$,
@@ -71,7 +72,8 @@ impl<R: Real> Psd<R> {
         Self { xx, xy, yy, root_det: det.max(R::ZERO).sqrt() }
     }
 
-    /// The matrix with these entries, `xx`, `xy`, `yy`, whose determinant is known better than they tell it.
+    /// The matrix with these entries, `xx`, `xy`, `yy`, whose determinant is known better than they
+    /// tell it.
     #[inline(always)]
     pub(crate) fn with_root_det([xx, xy, yy]: [R; 3], root_det: R) -> Self {
         Self { xx, xy, yy, root_det }
@@ -79,8 +81,8 @@ impl<R: Real> Psd<R> {
 
     /// The nearest positive semi-definite matrix: negative eigenvalues become 0.
     ///
-    /// For covariances that storage has rounded; [`Psd::new`] refuses what this mends. Entries up to $10^{18}$;
-    /// NaN gives the zero matrix.
+    /// For covariances that storage has rounded; [`Psd::new`] refuses what this mends. Entries up
+    /// to $10^{18}$; NaN gives the zero matrix.
     ///
     /// ```
     /// let mended = lobe::Psd::nearest(1.0_f64, 2.0, 1.0); // eigenvalues 3 and -1
@@ -120,7 +122,8 @@ impl<R: Real> Psd<R> {
         Self { xx: x * x, xy: rho * x * y, yy: y * y, root_det: x * y * complement }
     }
 
-    /// $u u^T + v v^T$, whose determinant is the square of the cross product. Components up to $10^9$.
+    /// $u u^T + v v^T$, whose determinant is the square of the cross product. Components up to
+    /// $10^9$.
     ///
     /// ```
     /// use lobe::Psd;
@@ -177,8 +180,8 @@ impl<R: Real> Psd<R> {
     #[inline]
     pub(crate) fn mixed_det(&self, other: &Self) -> R {
         let u = difference_of_products(self.xx, other.xy, self.xy, other.xx);
-        // Below this the entries and their products have no digits to divide by: the square of a right angle's
-        // cosine, 6e-17, already is at the end of f32.
+        // Below this the entries and their products have no digits to divide by: the square of a
+        // right angle's cosine, 6e-17, already is at the end of f32.
         let least = R::MIN_POSITIVE / (R::EPSILON * R::EPSILON);
         let (inverse, inverse_other) = (R::ONE / self.xx.max(least), R::ONE / other.xx.max(least));
         // Quotients first: squares of the smallest entries underflow in f32.
@@ -186,7 +189,8 @@ impl<R: Real> Psd<R> {
         let squares = quotient(inverse) * quotient(inverse_other)
             + other.xx * (self.root_det * (self.root_det * inverse).kept()).kept()
             + self.xx * (other.root_det * (other.root_det * inverse_other).kept()).kept();
-        // One of the two is a line along y, or nothing: its xy is 0, or nearly, and no term cancels.
+        // One of the two is a line along y, or nothing: its xy is 0, or nearly, and no term
+        // cancels.
         let products = self.xx * other.yy + self.yy * other.xx - R::TWO * self.xy * other.xy;
         if self.xx.min(other.xx) < least { products.max(R::ZERO) } else { squares }
     }
@@ -227,7 +231,8 @@ impl<R: Real> Psd<R> {
         Eigen { major, minor, axis }
     }
 
-    /// The matrix with both eigenvalues limited to `limit`; the axes stay. A negative limit counts as 0.
+    /// The matrix with both eigenvalues limited to `limit`; the axes stay. A negative limit counts
+    /// as 0.
     #[doc(alias = "lobe_psd_capped")]
     #[must_use]
     pub fn capped(&self, limit: R) -> Self {

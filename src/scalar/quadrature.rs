@@ -1,7 +1,7 @@
 //! Gauss-Legendre rules on the interval [-1/2, 1/2].
 //!
-//! Layer 0. Nodes and weights to 17 digits: roots of the Legendre polynomials, from mpmath. The test below
-//! proves them: each rule is exact to its degree.
+//! Layer 0. Nodes and weights to 17 digits: roots of the Legendre polynomials, from mpmath. The
+//! test below proves them: each rule is exact to its degree.
 
 use super::Real;
 

@@ -1,7 +1,7 @@
 //! The one trait over f32 and f64 that every formula is written in.
 //!
-//! Layer 0. Sealed by [`Internal`]: the polynomials behind `exp`, `atan` and `erfc` exist for these two widths only. (The feature
-//! `probe` adds f32s that measure.)
+//! Layer 0. Sealed by [`Internal`]: the polynomials behind `exp`, `atan` and `erfc` exist for these
+//! two widths only. (The feature `probe` adds f32s that measure.)
 
 use crate::error::Value;
 use core::fmt::{Debug, Display};
@@ -10,8 +10,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// A floating-point precision: `f32` for engines, `f64` for offline renderers and as reference.
 ///
 /// Every function of the crate is written once over this trait. Elementary functions are our own
-/// polynomials with stated errors, so their bits do not depend on the platform; sine and cosine, which only
-/// constructors call, come from std or libm.
+/// polynomials with stated errors, so their bits do not depend on the platform; sine and cosine,
+/// which only constructors call, come from std or libm.
 ///
 /// ```
 /// use lobe::Real;
@@ -115,7 +115,8 @@ impl<R: Real> From<R> for Value {
     }
 }
 
-/// What formulas ask of a precision beside [`Real`], which it seals: no name outside of this crate reaches it.
+/// What formulas ask of a precision beside [`Real`], which it seals: no name outside of this crate
+/// reaches it.
 pub trait Internal: Copy {
     /// True for f32, whose quadratures need fewer nodes.
     const SINGLE: bool;
@@ -126,7 +127,8 @@ pub trait Internal: Copy {
     /// The upper half of the significand, the lower half set to zero; what is left, `self - upper`,
     /// is exact, and products of upper halves are exact.
     fn upper_half(self) -> Self;
-    /// The largest whole number not above this, within $\pm 2^{30}$; 0 for NaN (`lobe_floor` in WGSL).
+    /// The largest whole number not above this, within $\pm 2^{30}$; 0 for NaN (`lobe_floor` in
+    /// WGSL).
     #[inline(always)]
     fn floor(self) -> i32
     where
@@ -144,7 +146,8 @@ pub trait Internal: Copy {
     {
         Self::lit(f64::from_bits(u64::from((k + 1023).unsigned_abs()) << 52))
     }
-    /// This value as it was rounded: on a GPU no compiler may fold or fuse it away (`lobe_kept` in WGSL).
+    /// This value as it was rounded: on a GPU no compiler may fold or fuse it away (`lobe_kept` in
+    /// WGSL).
     #[inline(always)]
     fn kept(self) -> Self {
         self

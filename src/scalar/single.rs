@@ -1,6 +1,7 @@
 //! An f32, or a number that passes for one: what the polynomials of f32 are written over.
 //!
-//! Layer 0. They read and make bits, so [`Real`] is not enough; the feature `probe` has an f32 of its own.
+//! Layer 0. They read and make bits, so [`Real`] is not enough; the feature `probe` has an f32 of
+//! its own.
 
 use super::Real;
 

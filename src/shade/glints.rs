@@ -1,4 +1,5 @@
-//! The facade for glints: bake a glittering material under a pixel, then evaluate it for any number of lights.
+//! The facade for glints: bake a glittering material under a pixel, then evaluate it for any number
+//! of lights.
 //!
 //! Layer 5.
 
@@ -20,7 +21,8 @@ use crate::slope::{LobeShape, SlopeMoments};
 ///
 /// let details = Biscale::from_fractions([0.4_f32, 0.4], [0.05, 0.05])?;
 /// let flakes = GlintMaterial { glints: Glints::new(details, 1e5)?, fresnel: Fresnel::white() };
-/// // Once per pixel: where it lies on the surface, what a normal map has there, what the half vector does.
+/// // Once per pixel: where it lies on the surface, what a normal map has there, what the half
+/// // vector does.
 /// let patch = Patch::new([0.3, 0.7], [1e-3, 0.0], [0.0, 2e-3]);
 /// let shading = flakes.bake(&patch, &SlopeMoments::default(), &Kernel::default());
 /// // Once per light, which appears half a degree wide.
@@ -37,7 +39,8 @@ pub struct GlintMaterial<R> {
 }
 
 impl<R: Real> GlintMaterial<R> {
-    /// The material as a pixel sees it: over the moments of a normal map, under the kernel of the half vector's motion.
+    /// The material as a pixel sees it: over the moments of a normal map, under the kernel of the
+    /// half vector's motion.
     ///
     /// Zero moments and a zero kernel leave the material as it is.
     #[inline]
@@ -65,8 +68,9 @@ impl<R: Real> GlintShading<R> {
         &self.ndf
     }
 
-    /// Radiance towards `wo` per unit of radiance and solid angle from `wi`, where a light appears with this radius in
-    /// radians: $F f c_i$ per channel, as [`Shading::evaluate`](super::Shading::evaluate).
+    /// Radiance towards `wo` per unit of radiance and solid angle from `wi`, where a light appears
+    /// with this radius in radians: $F f c_i$ per channel, as
+    /// [`Shading::evaluate`](super::Shading::evaluate).
     #[doc(alias = "lobe_glint_evaluate")]
     #[inline]
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>, radius: R) -> [R; 3] {

@@ -62,9 +62,11 @@ impl<R: Real> Material<BeckmannDistribution, R> {
 }
 
 impl<D: Distribution, R: Real> Material<D, R> {
-    /// The material as a pixel with this kernel sees it: its lobe widened, ready for any number of lights.
+    /// The material as a pixel with this kernel sees it: its lobe widened, ready for any number of
+    /// lights.
     ///
-    /// Exact for Beckmann, variance addition for GGX ([`Roughness::widened`](crate::Roughness::widened)).
+    /// Exact for Beckmann, variance addition for GGX
+    /// ([`Roughness::widened`](crate::Roughness::widened)).
     #[doc(alias = "lobe_material_bake")]
     #[inline]
     pub fn bake(&self, kernel: &Kernel<R>) -> Shading<D, R> {
@@ -97,11 +99,12 @@ impl<D: Distribution, R: Real> Shading<D, R> {
         &self.ndf
     }
 
-    /// Radiance towards `wo` per unit of radiance and solid angle from `wi`: $F\, f\, c_i$ per channel.
+    /// Radiance towards `wo` per unit of radiance and solid angle from `wi`: $F\, f\, c_i$ per
+    /// channel.
     ///
-    /// $f$ is [`Ndf::brdf`], $c_i$ the cosine of `wi`, for a tilted lobe the projected area of its mean
-    /// plane. Multiply by the light's radiance and solid angle. `wo`, `wi`: unit, tangent frame. 0 where
-    /// either lies below the horizon.
+    /// $f$ is [`Ndf::brdf`], $c_i$ the cosine of `wi`, for a tilted lobe the projected area of its
+    /// mean plane. Multiply by the light's radiance and solid angle. `wo`, `wi`: unit, tangent
+    /// frame. 0 where either lies below the horizon.
     #[doc(alias = "lobe_ggx_evaluate")]
     #[doc(alias = "lobe_beckmann_evaluate")]
     #[inline]
@@ -126,7 +129,8 @@ pub(super) fn color<R: Real>(
 }
 
 impl<R: Real> Shading<GgxDistribution, R> {
-    /// The same with D averaged exactly over a footprint: [`Ndf::brdf_over`](crate::Ndf::brdf_over).
+    /// The same with D averaged exactly over a footprint:
+    /// [`Ndf::brdf_over`](crate::Ndf::brdf_over).
     ///
     /// For a material that was not baked with the same footprint's kernel: one filter, not two.
     ///

@@ -1,7 +1,9 @@
-//! The facade: bake a material under a pixel's kernel once, then evaluate it for any number of lights.
+//! The facade: bake a material under a pixel's kernel once, then evaluate it for any number of
+//! lights.
 //!
-//! Layer 5. [`Lobe`](crate::Lobe), [`Kernel`](crate::Kernel), [`Ndf`](crate::Ndf) and [`Fresnel`](crate::material::Fresnel) offer everything
-//! here one by one; a renderer that wants only some of it takes those.
+//! Layer 5. [`Lobe`](crate::Lobe), [`Kernel`](crate::Kernel), [`Ndf`](crate::Ndf) and
+//! [`Fresnel`](crate::material::Fresnel) offer everything here one by one; a renderer that wants
+//! only some of it takes those.
 
 #[cfg(feature = "glint")]
 mod glints;

@@ -1,4 +1,5 @@
-//! The facade for many lobes: bake a surface of facets under a pixel, then evaluate it for any number of lights.
+//! The facade for many lobes: bake a surface of facets under a pixel, then evaluate it for any
+//! number of lights.
 //!
 //! Layer 5.
 
@@ -21,7 +22,8 @@ use crate::slope::{MeanFrame, SlopeMoments};
 /// let dictionary = Dictionary::<f32>::new(&Recipe { levels: 8, ..Recipe::default() })?;
 /// let facets = MultiLobe::new(Roughness::from_alpha(0.4)?, 1e6)?;
 /// let sand = MultiLobeMaterial { facets, fresnel: Fresnel::white() };
-/// // Once per pixel: where it lies on the surface, what a normal map has there, what the half vector does.
+/// // Once per pixel: where it lies on the surface, what a normal map has there, what the half
+/// // vector does.
 /// let patch = Patch::new([0.3, 0.7], [1e-3, 0.0], [0.0, 2e-3]);
 /// let shading = sand.bake(&dictionary, &patch, &SlopeMoments::default(), &Kernel::default());
 /// // Once per light.
@@ -38,11 +40,13 @@ pub struct MultiLobeMaterial<R> {
 }
 
 impl<R: Real> MultiLobeMaterial<R> {
-    /// The material as a pixel sees it: over the moments of a normal map, under the kernel of the half vector's motion.
+    /// The material as a pixel sees it: over the moments of a normal map, under the kernel of the
+    /// half vector's motion.
     ///
-    /// It is shaded in the frame of the map's mean, as no masking of V-cavities with another mean is known: from there the
-    /// map's covariance is seen ([`PatchNdf::over`]), and there the kernel's half vectors are to be taken, too. Zero
-    /// moments and a zero kernel leave the material as it is.
+    /// It is shaded in the frame of the map's mean, as no masking of V-cavities with another mean
+    /// is known: from there the map's covariance is seen ([`PatchNdf::over`]), and there the
+    /// kernel's half vectors are to be taken, too. Zero moments and a zero kernel leave the
+    /// material as it is.
     #[inline]
     pub fn bake<'a>(
         &self,
@@ -76,9 +80,9 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
         &self.frame
     }
 
-    /// Radiance towards `wo` per unit of radiance and solid angle from `wi`: $F f c_i$ per channel, as
-    /// [`Shading::evaluate`](super::Shading::evaluate), with the light's cosine to the mean normal. Directions in the tangent
-    /// frame.
+    /// Radiance towards `wo` per unit of radiance and solid angle from `wi`: $F f c_i$ per channel,
+    /// as [`Shading::evaluate`](super::Shading::evaluate), with the light's cosine to the mean
+    /// normal. Directions in the tangent frame.
     #[doc(alias = "lobe_patch_ndf_evaluate")]
     #[inline]
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R; 3] {
@@ -88,13 +92,16 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
         color(&self.fresnel, self.ndf.brdf(self.frame.to_local(wo), local), local[2], wo, wi)
     }
 
-    /// A direction towards the light, drawn as [`PatchNdf::sample`] does, between directions in the tangent frame: its
-    /// weight times [`Fresnel`] is what [`MultiLobeShading::evaluate`] is over its density.
+    /// A direction towards the light, drawn as [`PatchNdf::sample`] does, between directions in the
+    /// tangent frame: its weight times [`Fresnel`] is what [`MultiLobeShading::evaluate`] is over
+    /// its density.
     ///
     /// ```
     /// use lobe::material::cells::Patch;
     /// use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
-    /// use lobe::{Kernel, Psd, Roughness, SlopeMoments, material::Fresnel, shade::MultiLobeMaterial};
+    /// use lobe::{
+    ///     Kernel, Psd, Roughness, SlopeMoments, material::Fresnel, shade::MultiLobeMaterial,
+    /// };
     /// let dictionary = Dictionary::<f64>::new(&Recipe { levels: 8, ..Recipe::default() })?;
     /// let facets = MultiLobe::new(Roughness::from_alpha(0.4)?, 1e6)?;
     /// let sand = MultiLobeMaterial { facets, fresnel: Fresnel::white() };
@@ -112,7 +119,8 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
         Some(DirectionSample { wi: self.frame.to_tangent(drawn.wi), ..drawn })
     }
 
-    /// Density over solid angle with which [`MultiLobeShading::sample`] draws `wi`, for other ways of drawing it beside this one.
+    /// Density over solid angle with which [`MultiLobeShading::sample`] draws `wi`, for other ways
+    /// of drawing it beside this one.
     pub fn pdf(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> R {
         self.ndf.pdf(self.frame.to_local(wo), self.frame.to_local(wi))
     }

@@ -1,7 +1,7 @@
 //! Algebra of slope moments: layers of relief that add, lean, stretch and turn.
 //!
-//! Layer 1. Heights add, so slopes add; texture coordinates are linear in position, so slopes transform linearly.
-//! Blending by area is [`SlopeMoments::merged`].
+//! Layer 1. Heights add, so slopes add; texture coordinates are linear in position, so slopes
+//! transform linearly. Blending by area is [`SlopeMoments::merged`].
 
 use super::jacobian::{Matrix, apply};
 use super::moments::SlopeMoments;
@@ -15,13 +15,17 @@ impl<R: Real> Add for SlopeMoments<R> {
 
     /// Two independent layers of relief, one on the other: $\mu_1 + \mu_2$, $\Sigma_1 + \Sigma_2$.
     ///
-    /// Source: Olano & Baker 2010, section 5 (their raw moments also need $\mu_1 \mu_2^T + \mu_2 \mu_1^T$, which
-    /// central ones do not).
+    /// Source: Olano & Baker 2010, section 5 (their raw moments also need $\mu_1 \mu_2^T + \mu_2
+    /// \mu_1^T$, which central ones do not).
     ///
     /// ```
     /// use lobe::{Roughness, SlopeMoments};
-    /// let waves = SlopeMoments::new([0.1_f64, 0.0], Roughness::from_sigma_rho(0.3, 0.0, 0.0)?.covariance())?;
-    /// let ripples = SlopeMoments::new([0.0, 0.2], Roughness::from_sigma_rho(0.4, 0.1, 0.0)?.covariance())?;
+    /// let waves = SlopeMoments::new(
+    ///     [0.1_f64, 0.0],
+    ///     Roughness::from_sigma_rho(0.3, 0.0, 0.0)?.covariance(),
+    /// )?;
+    /// let ripples =
+    ///     SlopeMoments::new([0.0, 0.2], Roughness::from_sigma_rho(0.4, 0.1, 0.0)?.covariance())?;
     /// let both = waves + ripples;
     /// assert_eq!(both.mean(), [0.1, 0.2]);
     /// assert!((both.covariance().entries()[0] - 0.25).abs() < 1e-15);
@@ -36,7 +40,8 @@ impl<R: Real> Add for SlopeMoments<R> {
 impl<R: Real> Mul<R> for SlopeMoments<R> {
     type Output = Self;
 
-    /// Heights times `factor`: $t \mu$, $t^2 \Sigma$. Of either sign; beyond $10^9$ it counts as that, NaN as 0.
+    /// Heights times `factor`: $t \mu$, $t^2 \Sigma$. Of either sign; beyond $10^9$ it counts as
+    /// that, NaN as 0.
     ///
     /// ```
     /// let relief = lobe::SlopeMoments::of_slope([0.1_f32, -0.2])? * -2.0;
@@ -54,14 +59,18 @@ impl<R: Real> SlopeMoments<R> {
     /// Two layers that know of each other: $\Sigma_1 + \Sigma_2 + C + C^T$ with
     /// $C = \mathrm{E}\,s_1 s_2^T - \mu_1 \mu_2^T$, rows first.
     ///
-    /// A `cross` that the two covariances do not allow can make the sum indefinite: its negative eigenvalues are
-    /// then set to 0, as in [`SlopeMoments::from_raw`]. Entries of `cross` beyond $10^{18}$ count as that, NaN as 0.
+    /// A `cross` that the two covariances do not allow can make the sum indefinite: its negative
+    /// eigenvalues are then set to 0, as in [`SlopeMoments::from_raw`]. Entries of `cross` beyond
+    /// $10^{18}$ count as that, NaN as 0.
     ///
     /// Source: Olano & Baker 2010, section 5, of central moments.
     ///
     /// ```
     /// use lobe::{Roughness, SlopeMoments};
-    /// let layer = SlopeMoments::new([0.1_f64, 0.0], Roughness::from_sigma_rho(0.3, 0.2, 0.0)?.covariance())?;
+    /// let layer = SlopeMoments::new(
+    ///     [0.1_f64, 0.0],
+    ///     Roughness::from_sigma_rho(0.3, 0.2, 0.0)?.covariance(),
+    /// )?;
     /// // A layer on itself is twice as high, on its negative flat.
     /// let cross = [[0.09, 0.0], [0.0, 0.04]];
     /// let (twice, same) = (layer * 2.0, layer.plus_correlated(&layer, cross));
@@ -120,13 +129,16 @@ impl<R: Real> SlopeMoments<R> {
 
     /// Slopes under a linear map, $s' = M s$, `matrix` rows first: $M \mu$, $M \Sigma M^T$.
     ///
-    /// A texture with coordinates $u = T x$ of the position $x$ has slopes $T^T s$ there: repeated twice as often it
-    /// is twice as steep. Entries beyond $10^9$ count as that, NaN as 0; results beyond the ranges of slopes and covariances
-    /// are scaled into them.
+    /// A texture with coordinates $u = T x$ of the position $x$ has slopes $T^T s$ there: repeated
+    /// twice as often it is twice as steep. Entries beyond $10^9$ count as that, NaN as 0; results
+    /// beyond the ranges of slopes and covariances are scaled into them.
     ///
     /// ```
     /// use lobe::{Roughness, SlopeMoments};
-    /// let brushed = SlopeMoments::new([0.0_f64, 0.1], Roughness::from_sigma_rho(0.4, 0.0, 0.0)?.covariance())?;
+    /// let brushed = SlopeMoments::new(
+    ///     [0.0_f64, 0.1],
+    ///     Roughness::from_sigma_rho(0.4, 0.0, 0.0)?.covariance(),
+    /// )?;
     /// let quarter_turn = brushed.transformed([[0.0, -1.0], [1.0, 0.0]]);
     /// assert_eq!(quarter_turn.mean(), [-0.1, 0.0]);
     /// assert!((quarter_turn.covariance().entries()[2] - 0.16).abs() < 1e-15);
@@ -145,14 +157,15 @@ impl<R: Real> SlopeMoments<R> {
         Self::bounded(apply(matrix, self.mean()), covariance)
     }
 
-    /// The relief turned by `angle`, counter-clockwise (radians): a texture's rotation. A tangent frame that turns
-    /// by an angle sees the relief turned by its negative.
+    /// The relief turned by `angle`, counter-clockwise (radians): a texture's rotation. A tangent
+    /// frame that turns by an angle sees the relief turned by its negative.
     ///
     /// # Errors
     /// [`Error::Angle`] unless finite.
     ///
     /// ```
-    /// let turned = lobe::SlopeMoments::of_slope([1.0_f64, 0.0])?.rotated(core::f64::consts::FRAC_PI_6)?;
+    /// let turned =
+    ///     lobe::SlopeMoments::of_slope([1.0_f64, 0.0])?.rotated(core::f64::consts::FRAC_PI_6)?;
     /// assert!((turned.mean()[1] - 0.5).abs() < 1e-15);
     /// # Ok::<(), lobe::Error>(())
     /// ```

@@ -36,7 +36,8 @@ pub fn normalize<R: Real>(v: impl Into<[R; 3]>) -> [R; 3] {
         return [R::ZERO; 3];
     }
     let v = v.map(|x| (x / largest).kept());
-    // The exact length is at least 1. On GPUs that flush the quotient by a huge `largest` to 0, `max` restores that.
+    // The exact length is at least 1. On GPUs that flush the quotient by a huge `largest` to 0,
+    // `max` restores that.
     let length = dot(v, v).sqrt().max(R::ONE);
     v.map(|x| x / length)
 }
@@ -74,7 +75,8 @@ pub fn normal_of<R: Real>(slope: impl Into<[R; 2]>) -> [R; 3] {
     [-s[0] * inverse, -s[1] * inverse, inverse]
 }
 
-/// The upward unit vector over a point of the projected disk, $(h_x, h_y, \sqrt{1 - h_x^2 - h_y^2})$.
+/// The upward unit vector over a point of the projected disk, $(h_x, h_y, \sqrt{1 - h_x^2 -
+/// h_y^2})$.
 ///
 /// The height is computed with compensated products: near the rim `1 - x*x - y*y` has no digits
 /// left in f32. Points outside the disk get height 0.

@@ -1,6 +1,8 @@
-//! The pixel's footprint on the slope plane: two derivative vectors and the parallelogram they span.
+//! The pixel's footprint on the slope plane: two derivative vectors and the parallelogram they
+//! span.
 //!
-//! Layer 1. A footprint is a fact about the pixel; which filter is laid over it is a kernel's choice.
+//! Layer 1. A footprint is a fact about the pixel; which filter is laid over it is a kernel's
+//! choice.
 
 use super::direction::slope_of;
 use super::jacobian::{Matrix, apply, disk_to_slope};
@@ -75,8 +77,9 @@ impl<R: Real> Footprint<R> {
     /// From the half vectors of this pixel and of its neighbors to the right and above, by
     /// differences of their slopes, as a GPU's quad has them.
     ///
-    /// All three in the frame of the same surface point, or each in its own shading frame (the frame's
-    /// rotation is then part of the footprint, as in Kaplanyan Eq. 6). Need not have unit length.
+    /// All three in the frame of the same surface point, or each in its own shading frame (the
+    /// frame's rotation is then part of the footprint, as in Kaplanyan Eq. 6). Need not have unit
+    /// length.
     ///
     /// # Errors
     /// [`Error::HalfVector`] if one of them is not finite or does not point above the surface.
@@ -103,8 +106,8 @@ impl<R: Real> Footprint<R> {
         Self { u: [r[0] - s[0], r[1] - s[1]], v: [t[0] - s[0], t[1] - s[1]] }.known()
     }
 
-    /// From steps of the surface point in its tangent plane, one per pixel axis, and the matrix M of
-    /// [`Path::slope_jacobian`](super::Path::slope_jacobian) (Kaplanyan et al. 2016, Eq. 5).
+    /// From steps of the surface point in its tangent plane, one per pixel axis, and the matrix M
+    /// of [`Path::slope_jacobian`](super::Path::slope_jacobian) (Kaplanyan et al. 2016, Eq. 5).
     #[doc(alias = "lobe_footprint_from_positions")]
     pub fn from_positions(
         slope_jacobian: Matrix<R>,
@@ -159,11 +162,11 @@ impl<R: Real> Footprint<R> {
         sum.max(length(self.u[0] - self.v[0], self.u[1] - self.v[1]))
     }
 
-    /// The footprint shrunk, in proportion, to a diameter of at most `limit` slope units. A negative limit
-    /// counts as 0.
+    /// The footprint shrunk, in proportion, to a diameter of at most `limit` slope units. A
+    /// negative limit counts as 0.
     ///
-    /// Kaplanyan et al. 2016, section 5.2, limit the extents to lambda = 1. Theirs are measured along
-    /// the frame's axes; the diameter does not depend on the frame.
+    /// Kaplanyan et al. 2016, section 5.2, limit the extents to lambda = 1. Theirs are measured
+    /// along the frame's axes; the diameter does not depend on the frame.
     #[doc(alias = "lobe_footprint_capped")]
     #[must_use]
     pub fn capped(&self, limit: R) -> Self {
@@ -190,8 +193,8 @@ impl<R: Real> Footprint<R> {
         u[0].abs().max(u[1].abs()).max(v[0].abs().max(v[1].abs()))
     }
 
-    /// The footprint shrunk in proportion to components of at most $10^9$: those of grazing half vectors have
-    /// no bound, and f32 has no squares for them.
+    /// The footprint shrunk in proportion to components of at most $10^9$: those of grazing half
+    /// vectors have no bound, and f32 has no squares for them.
     #[inline]
     pub(crate) fn bounded(&self) -> Self {
         let largest = self.largest_component();
@@ -215,9 +218,9 @@ impl<R: Real> Mul<R> for Footprint<R> {
 
     /// The footprint of a pixel of another size: both derivatives times `factor`.
     ///
-    /// For derivatives that were taken over other pixels than those that are shown: $1/\sqrt n$ where n samples
-    /// of a pixel are shaded each (MSAA at sample rate, supersampling), the ratio of shaded to shown pixels where
-    /// pictures are scaled up or down afterwards.
+    /// For derivatives that were taken over other pixels than those that are shown: $1/\sqrt n$
+    /// where n samples of a pixel are shaded each (MSAA at sample rate, supersampling), the ratio
+    /// of shaded to shown pixels where pictures are scaled up or down afterwards.
     ///
     /// ```
     /// use lobe::Footprint;
@@ -233,12 +236,12 @@ impl<R: Real> Mul<R> for Footprint<R> {
 impl<R: Real> Sub for Footprint<R> {
     type Output = Self;
 
-    /// How the half vector's slope moves against a lobe whose mean moves, too: derivatives of $s_h - \mu$, the
-    /// mean's given as two vectors along the same pixel axes.
+    /// How the half vector's slope moves against a lobe whose mean moves, too: derivatives of
+    /// $s_h - \mu$, the mean's given as two vectors along the same pixel axes.
     ///
-    /// For moments of a normal map's finest level, whose detail the pixel then counts. Moments of the pixel's own
-    /// level have it in their covariance: there take the footprint as it is, or it counts twice
-    /// (`material::lean`).
+    /// For moments of a normal map's finest level, whose detail the pixel then counts. Moments of
+    /// the pixel's own level have it in their covariance: there take the footprint as it is, or it
+    /// counts twice (`material::lean`).
     ///
     /// ```
     /// use lobe::Footprint;

@@ -58,8 +58,9 @@ pub fn sphere_to_disk<R: Real>(h: impl Into<[R; 3]>) -> Matrix<R> {
 
 /// Derivative of the slope of `h` by $(h_x, h_y)$.
 ///
-/// $J = -\frac{1}{h_z^3} \begin{pmatrix} 1 - h_y^2 & h_x h_y \\\\ h_x h_y & 1 - h_x^2 \end{pmatrix}$,
-/// $\det J = 1/h_z^4$. The diagonal is computed as $h_z^2 + h_x^2$ and $h_z^2 + h_y^2$.
+/// $J = -\frac{1}{h_z^3} \begin{pmatrix} 1 - h_y^2 & h_x h_y \\\\ h_x h_y & 1 - h_x^2
+/// \end{pmatrix}$, $\det J = 1/h_z^4$. The diagonal is computed as $h_z^2 + h_x^2$ and $h_z^2 +
+/// h_y^2$.
 ///
 /// Source: Tokuyoshi 2017, Eq. 25.
 ///
@@ -88,9 +89,11 @@ pub fn slope_per_normal<R: Real>(m: impl Into<[R; 3]>) -> R {
     R::ONE / (m[2] * m[2] * m[2])
 }
 
-/// $|dw_i/dw_m| = 4 |w_m \cdot w_o|$: solid angle of reflected directions per solid angle of normals.
+/// $|dw_i/dw_m| = 4 |w_m \cdot w_o|$: solid angle of reflected directions per solid angle of
+/// normals.
 ///
-/// Source: LEADR supplement Eq. 3 (its derivation has a slip in $dw_i/d\theta$; the result is right).
+/// Source: LEADR supplement Eq. 3 (its derivation has a slip in $dw_i/d\theta$; the result is
+/// right).
 ///
 /// ```
 /// let n = [0.0_f32, 0.0, 1.0];

@@ -1,7 +1,7 @@
 //! The frame about the mean of slopes: where a relief leans, its own normal is +z.
 //!
-//! Layer 1. A lobe with a mean of its own stays where it is ([`NonCentered`](super::NonCentered)); masking that knows even lobes
-//! alone needs the frame in which it is one.
+//! Layer 1. A lobe with a mean of its own stays where it is ([`NonCentered`](super::NonCentered));
+//! masking that knows even lobes alone needs the frame in which it is one.
 
 use super::direction::{dot, normal_of};
 use super::jacobian::Matrix;
@@ -61,7 +61,9 @@ impl<R: Real> MeanFrame<R> {
     /// ```
     /// let frame = lobe::slope::MeanFrame::of([0.75_f64, 0.2]);
     /// let back = frame.to_tangent(frame.to_local([0.6, 0.0, 0.8]));
-    /// assert!((back[0] - 0.6).abs() < 1e-15 && back[1].abs() < 1e-15 && (back[2] - 0.8).abs() < 1e-15);
+    /// assert!(
+    ///     (back[0] - 0.6).abs() < 1e-15 && back[1].abs() < 1e-15 && (back[2] - 0.8).abs() < 1e-15
+    /// );
     /// ```
     #[doc(alias = "lobe_mean_frame_to_tangent")]
     #[inline]
@@ -71,8 +73,9 @@ impl<R: Real> MeanFrame<R> {
         [0, 1, 2].map(|k| dot([x[k], y[k], normal[k]], w))
     }
 
-    /// Derivative of the slope in this frame by that in the tangent frame, at the mean: $c \begin{pmatrix} x_x & x_y \\\\ y_x &
-    /// y_y \end{pmatrix}$ of the axes x and y, c being the cosine of the tilt.
+    /// Derivative of the slope in this frame by that in the tangent frame, at the mean: $c
+    /// \begin{pmatrix} x_x & x_y \\\\ y_x & y_y \end{pmatrix}$ of the axes x and y, c being the
+    /// cosine of the tilt.
     ///
     /// Along the tilt $c^2$, across it c; $\det = c^3$.
     #[doc(alias = "lobe_mean_frame_jacobian")]
@@ -84,7 +87,8 @@ impl<R: Real> MeanFrame<R> {
 
     /// Moments about their mean in this frame, to first order: mean 0, $J \Sigma J^T$.
     ///
-    /// Source: in place of Chermain, Lucas et al. 2021, section 5, who take over the covariance as it is.
+    /// Source: in place of Chermain, Lucas et al. 2021, section 5, who take over the covariance as
+    /// it is.
     #[doc(alias = "lobe_mean_frame_moments")]
     #[must_use]
     #[inline]

@@ -1,6 +1,7 @@
 //! Mean and covariance of a patch of slopes: what a normal map leaves behind when it is minified.
 //!
-//! Layer 1. Raw moments filter linearly and cancel; the merge of means and covariances does neither.
+//! Layer 1. Raw moments filter linearly and cancel; the merge of means and covariances does
+//! neither.
 
 use super::direction::checked_slope;
 use super::lobe::Lobe;
@@ -55,11 +56,13 @@ impl<R: Real> SlopeMoments<R> {
         Self::new(slope, Psd::zero())
     }
 
-    /// From raw moments $\mathrm{E}\,s$ and $\mathrm{E}\,s s^T$ (`[xx, xy, yy]`), as LEAN textures store them.
+    /// From raw moments $\mathrm{E}\,s$ and $\mathrm{E}\,s s^T$ (`[xx, xy, yy]`), as LEAN textures
+    /// store them.
     ///
-    /// $\Sigma = \mathrm{E}\,s s^T - (\mathrm{E}\,s)(\mathrm{E}\,s)^T$ by compensated products: what precision the moments have
-    /// left after storage is kept. Storage rounding can make $\Sigma$ indefinite: its negative
-    /// eigenvalues are then set to 0, the nearest covariance there is.
+    /// $\Sigma = \mathrm{E}\,s s^T - (\mathrm{E}\,s)(\mathrm{E}\,s)^T$ by compensated products:
+    /// what precision the moments have left after storage is kept. Storage rounding can make
+    /// $\Sigma$ indefinite: its negative eigenvalues are then set to 0, the nearest covariance
+    /// there is.
     ///
     /// Source: Olano & Baker 2010, Eq. 5.
     ///

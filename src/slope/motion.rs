@@ -1,7 +1,8 @@
 //! How a light path moves from one pixel to the next, and the footprint that this makes.
 //!
-//! Layer 1. The door for renderers without quads: compute passes, meshlets, ray tracers. Any surface, any
-//! shading normal, any frame; Kaplanyan's matrix M is the case of a smooth surface ([`Path`](super::Path)).
+//! Layer 1. The door for renderers without quads: compute passes, meshlets, ray tracers. Any
+//! surface, any shading normal, any frame; Kaplanyan's matrix M is the case of a smooth surface
+//! ([`Path`](super::Path)).
 
 use super::footprint::Footprint;
 use crate::error::{Error, Value};
@@ -9,7 +10,8 @@ use crate::scalar::Real;
 
 /// Changes at a shaded point over one pixel, in its shading frame.
 ///
-/// Whatever does not move is 0: a distant light and camera leave `normal`, a flat surface leaves `half_vector`.
+/// Whatever does not move is 0: a distant light and camera leave `normal`, a flat surface leaves
+/// `half_vector`.
 ///
 /// ```
 /// use lobe::{Footprint, slope::Motion};
@@ -23,13 +25,13 @@ use crate::scalar::Real;
 #[doc(alias = "LobeMotion")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion<R> {
-    /// Change of the half vector, the frame held fixed: of $w_o + w_i$, or of any multiple of it, the same that
-    /// [`Footprint::from_motion`] is given.
+    /// Change of the half vector, the frame held fixed: of $w_o + w_i$, or of any multiple of it,
+    /// the same that [`Footprint::from_motion`] is given.
     pub half_vector: [R; 3],
     /// Change of the shading normal: its two tangential components.
     pub normal: [R; 2],
-    /// Turn of the frame about its normal, counter-clockwise, in radians: of brushed metal's axes. It leaves an
-    /// isotropic lobe as it is, and is 0 for a frame that only follows its normal.
+    /// Turn of the frame about its normal, counter-clockwise, in radians: of brushed metal's axes.
+    /// It leaves an isotropic lobe as it is, and is 0 for a frame that only follows its normal.
     pub spin: R,
 }
 
@@ -50,11 +52,12 @@ impl<R: Real> Motion<R> {
 impl<R: Real> Footprint<R> {
     /// From the motions of the path to the pixels at the right and above.
     ///
-    /// With $g$ the half vector (any length), $p = (g_x, g_y)/g_z$ and $dn$ the change of the normal:
-    /// $dp_k = dg_k/g_z - dn_k - p_k (dg_z/g_z + p \cdot dn)$. Grows like $1/g_z^2$ towards the horizon.
+    /// With $g$ the half vector (any length), $p = (g_x, g_y)/g_z$ and $dn$ the change of the
+    /// normal: $dp_k = dg_k/g_z - dn_k - p_k (dg_z/g_z + p \cdot dn)$. Grows like $1/g_z^2$ towards
+    /// the horizon.
     ///
-    /// Source: Kaplanyan et al. 2016, Eq. 4 to 6, for shading normals and turning frames. Their deferred form,
-    /// Eq. 17, is `half_vector` = 0.
+    /// Source: Kaplanyan et al. 2016, Eq. 4 to 6, for shading normals and turning frames. Their
+    /// deferred form, Eq. 17, is `half_vector` = 0.
     ///
     /// # Errors
     /// [`Error::HalfVector`] unless the half vector is finite and points above the surface;

@@ -1,7 +1,8 @@
 //! The half vector's slope along the surface: Kaplanyan's matrix M.
 //!
 //! Layer 1. For renderers that know positions, distances and curvature: ray tracers, meshlets,
-//! compute passes. Rasterizers difference neighboring pixels instead ([`Footprint`](super::Footprint)).
+//! compute passes. Rasterizers difference neighboring pixels instead
+//! ([`Footprint`](super::Footprint)).
 
 use super::direction::dot;
 use super::jacobian::Matrix;
@@ -32,20 +33,22 @@ impl<R: Real> Vertex<R> {
     /// A vertex at `position`, relative to the shaded point, in the tangent frame.
     ///
     /// # Errors
-    /// [`Error::Direction`] if the position is not finite, or so near that one over its distance is not.
+    /// [`Error::Direction`] if the position is not finite, or so near that one over its distance is
+    /// not.
     #[doc(alias = "lobe_vertex_at")]
     pub fn at(position: impl Into<[R; 3]>) -> Result<Self, Error> {
         let position = position.into();
         // Scaled by the largest component: squares of far positions overflow f32.
         let scale = position.iter().fold(R::ZERO, |m, x| m.max(x.abs()));
-        // Kept, so that no compiler compares `scale` with 1/MAX instead: 1/MAX is subnormal, and where subnormal numbers are
-        // flushed to 0, a `scale` of 0 would pass.
+        // Kept, so that no compiler compares `scale` with 1/MAX instead: 1/MAX is subnormal, and
+        // where subnormal numbers are flushed to 0, a `scale` of 0 would pass.
         let invertible = (scale.min(R::ONE) * R::MAX).kept() >= R::ONE;
         if !(invertible && position.iter().all(|x| x.is_finite())) {
             return Err(Error::Direction(position.map(Value::from)));
         }
         let unit = position.map(|x| (x / scale).kept());
-        // The exact length is at least 1. On GPUs that flush the quotient by a huge `scale` to 0, `max` restores that.
+        // The exact length is at least 1. On GPUs that flush the quotient by a huge `scale` to 0,
+        // `max` restores that.
         let length = dot(unit, unit).sqrt().max(R::ONE);
         Ok(Self { direction: unit.map(|x| x / length), inverse_distance: R::ONE / length / scale })
     }
@@ -53,7 +56,8 @@ impl<R: Real> Vertex<R> {
     /// A vertex infinitely far away in `direction`, which need not have unit length.
     ///
     /// # Errors
-    /// [`Error::Direction`] if the direction is not finite, or so short that one over its length is not.
+    /// [`Error::Direction`] if the direction is not finite, or so short that one over its length is
+    /// not.
     #[doc(alias = "lobe_vertex_distant")]
     pub fn distant(direction: impl Into<[R; 3]>) -> Result<Self, Error> {
         Ok(Self { inverse_distance: R::ZERO, ..Self::at(direction)? })
@@ -98,9 +102,11 @@ impl<R: Real> Path<R> {
         [wo[0] + wi[0], wo[1] + wi[1], wo[2] + wi[2]]
     }
 
-    /// What a step of the surface point in its tangent plane moves: per pixel, [`Footprint::from_motion`] takes it.
+    /// What a step of the surface point in its tangent plane moves: per pixel,
+    /// [`Footprint::from_motion`] takes it.
     ///
-    /// $dg = -[(I - w_i w_i^T)/r_i + (I - w_o w_o^T)/r_o]\, dx$, $dn = B\, dx$. A distant vertex drops its term.
+    /// $dg = -[(I - w_i w_i^T)/r_i + (I - w_o w_o^T)/r_o]\, dx$, $dn = B\, dx$. A distant vertex
+    /// drops its term.
     ///
     /// [`Footprint::from_motion`]: super::Footprint::from_motion
     ///
@@ -109,7 +115,8 @@ impl<R: Real> Path<R> {
     /// let (wo, above) = ([0.0_f64, 0.0, 1.0], Vertex::distant([0.0, 0.0, 1.0])?);
     /// let path = Path { eye: above, light: above, curvature: [0.5, 0.0, 0.5] };
     /// // A ray tracer's pixel: the width of its ray cone at the hit.
-    /// let [u, v] = ray::cone_steps(wo, ray::cone_width(0.0, 0.001, 20.0)).map(|dx| path.motion(dx));
+    /// let [u, v] =
+    ///     ray::cone_steps(wo, ray::cone_width(0.0, 0.001, 20.0)).map(|dx| path.motion(dx));
     /// let footprint = Footprint::from_motion(path.half_vector(), &u, &v)?;
     /// assert!((footprint.extents()[0] - 0.01).abs() < 1e-8);
     /// # Ok::<(), lobe::Error>(())
@@ -129,11 +136,12 @@ impl<R: Real> Path<R> {
     /// The derivative of the plane point by the surface point.
     ///
     /// Columns are the plane's answer to [`Path::motion`] along each tangent; unit 1/length.
-    /// Returns zeros if $g$ does not point above the surface; at grazing half vectors entries grow like $1/g_z^2$,
-    /// to at most the largest number. The slope's Jacobian is $-M$; as every
-    /// kernel and polygon is even in its derivatives, both signs give the same filter.
+    /// Returns zeros if $g$ does not point above the surface; at grazing half vectors entries grow
+    /// like $1/g_z^2$, to at most the largest number. The slope's Jacobian is $-M$; as every kernel
+    /// and polygon is even in its derivatives, both signs give the same filter.
     ///
-    /// Source: Kaplanyan et al. 2016, Eq. 4 and 6, derived in full (the paper refers to Jakob 2013).
+    /// Source: Kaplanyan et al. 2016, Eq. 4 and 6, derived in full (the paper refers to Jakob
+    /// 2013).
     ///
     /// ```
     /// use lobe::{Path, Vertex};

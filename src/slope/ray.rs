@@ -1,15 +1,16 @@
 //! Pixel steps on a surface from rays: differentials and cones.
 //!
-//! Layer 1. What a ray tracer has in place of quads. Steps are in the tangent plane at the hit, one per pixel
-//! axis; [`Path::motion`](super::Path::motion) carries them on.
+//! Layer 1. What a ray tracer has in place of quads. Steps are in the tangent plane at the hit, one
+//! per pixel axis; [`Path::motion`](super::Path::motion) carries them on.
 
 use crate::scalar::Real;
 
 /// The tangent-plane step of a ray differential: where the neighboring pixel's ray meets the plane.
 ///
-/// $x = dO + t\,dD$, $dx = x_{xy} - \frac{x_z}{w_{o,z}} w_{o,xy}$: `origin` and `direction` are the differentials
-/// of the ray's origin and of its unit direction for one pixel, in the tangent frame, `distance` is t, `wo` points
-/// back along the ray. Heights of `wo` below $10^{-9}$ count as $10^{-9}$.
+/// $x = dO + t\,dD$, $dx = x_{xy} - \frac{x_z}{w_{o,z}} w_{o,xy}$: `origin` and `direction` are the
+/// differentials of the ray's origin and of its unit direction for one pixel, in the tangent frame,
+/// `distance` is t, `wo` points back along the ray. Heights of `wo` below $10^{-9}$ count as
+/// $10^{-9}$.
 ///
 /// Source: Igehy 1999, Eq. 10 to 12.
 ///
@@ -32,10 +33,11 @@ pub fn step<R: Real>(
     [across[0] - along * wo[0], across[1] - along * wo[1]]
 }
 
-/// Width of a ray cone after `distance`, $w_0 + 2 t \tan(\gamma/2)$, for a spread of $\gamma$ radians per pixel, less
-/// than half a turn.
+/// Width of a ray cone after `distance`, $w_0 + 2 t \tan(\gamma/2)$, for a spread of $\gamma$
+/// radians per pixel, less than half a turn.
 ///
-/// Source: Akenine-Möller et al. 2021, with the erratum: the full width, hence twice the tangent of half the angle.
+/// Source: Akenine-Möller et al. 2021, with the erratum: the full width, hence twice the tangent of
+/// half the angle.
 ///
 /// ```
 /// let width = lobe::slope::ray::cone_width(0.1_f64, 0.002, 10.0);
@@ -49,9 +51,9 @@ pub fn cone_width<R: Real>(width: R, spread: R, distance: R) -> R {
 
 /// The two tangent-plane steps of a ray cone of this width: along the view and across it.
 ///
-/// The cone's cross-section on the plane is an ellipse of axes $w/w_{o,z}$ and $w$. Cones know no pixel axes: a
-/// kernel of the two steps is that of the pixel, a parallelogram of them stands for a turned pixel. Heights of `wo`
-/// below $10^{-9}$ count as $10^{-9}$.
+/// The cone's cross-section on the plane is an ellipse of axes $w/w_{o,z}$ and $w$. Cones know no
+/// pixel axes: a kernel of the two steps is that of the pixel, a parallelogram of them stands for a
+/// turned pixel. Heights of `wo` below $10^{-9}$ count as $10^{-9}$.
 ///
 /// ```
 /// let [along, across] = lobe::slope::ray::cone_steps([0.6_f64, 0.0, 0.8], 0.1);

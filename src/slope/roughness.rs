@@ -15,9 +15,9 @@ use core::ops::Add;
 /// with $\Sigma$ the slope covariance. GGX has no second moment: there A is a scale matrix, and
 /// reading a covariance into it is a convention.
 ///
-/// alpha = 0 is a mirror along that axis: densities of a singular lobe are 0 everywhere (a delta has
-/// no density), its projected area, masking and Gaussian filtering are exact. The smallest alpha that
-/// is answered for, other than 0, is 1e-9.
+/// alpha = 0 is a mirror along that axis: densities of a singular lobe are 0 everywhere (a delta
+/// has no density), its projected area, masking and Gaussian filtering are exact. The smallest
+/// alpha that is answered for, other than 0, is 1e-9.
 ///
 /// ```
 /// use lobe::Roughness;
@@ -147,7 +147,8 @@ impl<R: Real> Roughness<R> {
     pub fn alphas(&self) -> Alphas<R> {
         let eigen = self.matrix.eigen();
         let [cos, sin] = eigen.axis;
-        // An axis has no direction: the quotient keeps to the half turn on the right, +y at its end.
+        // An axis has no direction: the quotient keeps to the half turn on the right, +y at its
+        // end.
         let angle = if cos == R::ZERO { R::HALF * R::PI } else { (sin / cos).atan() };
         Alphas { major: eigen.major.sqrt(), minor: eigen.minor.sqrt(), angle }
     }

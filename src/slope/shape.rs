@@ -1,9 +1,10 @@
-//! Shapes: what a distribution needs to know of roughness and mean, at the price of what a scene has.
+//! Shapes: what a distribution needs to know of roughness and mean, at the price of what a scene
+//! has.
 //!
-//! Layer 1. Whatever its anisotropy and tilt, a lobe meets its distribution in four numbers: the root
-//! of the determinant, the form n(m), the squared stretch a^2(w) and the mean projected area c(w).
-//! `Isotropic` answers with plain products, `Anisotropic` with compensated ones; the compiler keeps only what the
-//! shape in use needs.
+//! Layer 1. Whatever its anisotropy and tilt, a lobe meets its distribution in four numbers: the
+//! root of the determinant, the form n(m), the squared stretch a^2(w) and the mean projected area
+//! c(w). `Isotropic` answers with plain products, `Anisotropic` with compensated ones; the compiler
+//! keeps only what the shape in use needs.
 
 use super::roughness::Roughness;
 use crate::error::Error;
@@ -40,14 +41,16 @@ pub trait LobeShape: Copy {
     #[doc(alias = "lobe_non_centered_offset")]
     fn offset(&self, slope: [Self::Scalar; 2]) -> ([Self::Scalar; 2], [Self::Scalar; 2]);
 
-    /// $L^{-1} v$ with $L L^T = A$, for the difference of slopes `v + v_low`: lengths in units of the
-    /// lobe. Not defined for a mirror.
+    /// $L^{-1} v$ with $L L^T = A$, for the difference of slopes `v + v_low`: lengths in units of
+    /// the lobe. Not defined for a mirror.
     #[doc(alias = "lobe_anisotropic_whiten")]
     fn whiten(&self, v: [Self::Scalar; 2], v_low: [Self::Scalar; 2]) -> [Self::Scalar; 2];
 
-    /// The unit vector of the major axis of A, and alpha along it: all that is left of a groove, whose A has rank one.
+    /// The unit vector of the major axis of A, and alpha along it: all that is left of a groove,
+    /// whose A has rank one.
     ///
-    /// $A \approx \alpha^2 g g^T$ for the vector g and alpha, up to the minor axis. `[1, 0]` for a round A.
+    /// $A \approx \alpha^2 g g^T$ for the vector g and alpha, up to the minor axis. `[1, 0]` for a
+    /// round A.
     ///
     /// ```
     /// use lobe::{AxisAligned, LobeShape};
@@ -289,7 +292,8 @@ impl<R: Real> LobeShape for Anisotropic<R> {
         let l11 = self.xx.sqrt();
         [(v[0] + v_low[0]) / l11, u * self.inverse_xx * l11 / self.root_det]
     }
-    /// From the row with the larger diagonal entry, $(x, y)$ with $x$ that entry: $\alpha^2 = (x^2 + y^2)/x$.
+    /// From the row with the larger diagonal entry, $(x, y)$ with $x$ that entry: $\alpha^2 =
+    /// (x^2 + y^2)/x$.
     #[inline(always)]
     fn major(&self) -> ([R; 2], R) {
         let yy = self.xy * (self.xy * self.inverse_xx) + self.schur;

@@ -23,16 +23,21 @@ const FROM_TEXTURE: &str = "    let width = textureDimensions(lobe_dictionary).x
 
 /// A text with its dictionary at another place than group 1, binding 0.
 ///
-/// Texts with a dictionary of marginals (`Item::DictionaryMarginal`) declare the one binding that the WGSL port has: a
-/// buffer or, after [`textured`], a texture. Other texts come back as they are.
+/// Texts with a dictionary of marginals (`Item::DictionaryMarginal`) declare the one binding that
+/// the WGSL port has: a buffer or, after [`textured`], a texture. Other texts come back as they
+/// are.
 ///
 /// ```
 /// # #[cfg(feature = "glint")] {
 /// use lobe::wgsl::{Item, rebound, source};
 /// let text = source(&[Item::MarginalDensity]);
-/// assert!(text.contains("@group(1) @binding(0) var<storage, read> lobe_dictionary: array<vec2f>;"));
+/// assert!(
+///     text.contains("@group(1) @binding(0) var<storage, read> lobe_dictionary: array<vec2f>;")
+/// );
 /// let text = rebound(&text, 0, 7);
-/// assert!(text.contains("@group(0) @binding(7) var<storage, read> lobe_dictionary: array<vec2f>;"));
+/// assert!(
+///     text.contains("@group(0) @binding(7) var<storage, read> lobe_dictionary: array<vec2f>;")
+/// );
 /// # }
 /// ```
 pub fn rebound(text: &str, group: u32, binding: u32) -> String {
@@ -42,12 +47,13 @@ pub fn rebound(text: &str, group: u32, binding: u32) -> String {
     })
 }
 
-/// A text with its dictionary in a texture instead of a buffer, for WebGL 2 and for shader stages without storage buffers.
+/// A text with its dictionary in a texture instead of a buffer, for WebGL 2 and for shader stages
+/// without storage buffers.
 ///
-/// The texture has the format RG32F, one level, any width, and the nodes row by row: node k of `Dictionary::nodes` is
-/// texel (k mod width, k / width), with the density in red and the cumulative in green. The functions load texels
-/// without a filter, never one after the last node, and return the same bits as with the buffer. Texts without a
-/// dictionary come back as they are.
+/// The texture has the format RG32F, one level, any width, and the nodes row by row: node k of
+/// `Dictionary::nodes` is texel (k mod width, k / width), with the density in red and the
+/// cumulative in green. The functions load texels without a filter, never one after the last node,
+/// and return the same bits as with the buffer. Texts without a dictionary come back as they are.
 ///
 /// ```
 /// # #[cfg(feature = "glint")] {

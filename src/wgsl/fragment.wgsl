@@ -1,19 +1,24 @@
-// Derivatives from the quad, for fragment shaders only. Call these at the top level of the entry point, before any
-// branch that pixels of a quad could take differently: browsers refuse them elsewhere. No Rust twin: CPUs have no quads.
-// They are fine: differences within the pixel's own row and column, the same on every driver. Plain ones may come from
-// another row of the quad, and so may these in MSL and GLSL ES, which have no fine ones. WebGPU's compatibility mode has only those: give them to `lobe_footprint_from_slopes` yourself.
+// Derivatives from the quad, for fragment shaders only. Call these at the top level of the entry
+// point, before any branch that pixels of a quad could take differently: browsers refuse them
+// elsewhere. No Rust twin: CPUs have no quads. They are fine: differences within the pixel's own
+// row and column, the same on every driver. Plain ones may come from another row of the quad, and
+// so may these in MSL and GLSL ES, which have no fine ones. WebGPU's compatibility mode has only
+// those: give them to `lobe_footprint_from_slopes` yourself.
 
-// WGSL only: the footprint of half vectors in one tangent frame, from the quad's slopes. Zero where `h` here, beside, below
-// or above is not a vector above its horizon.
+// WGSL only: the footprint of half vectors in one tangent frame, from the quad's slopes. Zero where
+// `h` here, beside, below or above is not a vector above its horizon.
 fn lobe_fragment_footprint(h: vec3f) -> LobeFootprint {
     let slope = lobe_slope_of(h);
     let missing = select(1.0, 0.0, h.z > 0.0 && lobe_footprint_is_known(h));
     let u = dpdxFine(vec3f(slope.x, slope.y, missing));
     let v = dpdyFine(vec3f(slope.x, slope.y, missing));
-    return lobe_footprint_if(missing + abs(u.z) + abs(v.z) == 0.0, vec2f(u.x, u.y), vec2f(v.x, v.y));
+    return lobe_footprint_if(
+        missing + abs(u.z) + abs(v.z) == 0.0, vec2f(u.x, u.y), vec2f(v.x, v.y)
+    );
 }
 
-// WGSL only: the kernel on the projected disk, from the quad's unit half vectors in one tangent frame.
+// WGSL only: the kernel on the projected disk, from the quad's unit half vectors in one tangent
+// frame.
 fn lobe_fragment_disk_kernel(h: vec3f, variance: f32) -> LobeDiskKernel {
     let u = dpdxFine(vec2f(h.x, h.y));
     let v = dpdyFine(vec2f(h.x, h.y));

@@ -14,8 +14,8 @@ use alloc::vec::Vec;
 pub use super::list::Item;
 
 impl Item {
-    /// The item's name: a function's or constant's without the prefix `lobe_` or `LOBE_`, or a file's path with `_` for
-    /// `/`.
+    /// The item's name: a function's or constant's without the prefix `lobe_` or `LOBE_`, or a
+    /// file's path with `_` for `/`.
     ///
     /// ```
     /// use lobe::wgsl::Item;

@@ -1,7 +1,7 @@
 //! The table of items.
 //!
-//! Layer 0. One line an item: variant, kind, name, and the Rust item that it is the twin of. `tests/texts/twins.rs` holds the
-//! table to the texts.
+//! Layer 0. One line an item: variant, kind, name, and the Rust item that it is the twin of.
+//! `tests/texts/twins.rs` holds the table to the texts.
 
 use super::table::{Kind, items, kind, word};
 
@@ -139,7 +139,8 @@ items! {
     SlopeMomentsAdd: fn "slope_moments_add", "SlopeMoments::add";
     SlopeMomentsMul: fn "slope_moments_mul", "SlopeMoments::mul";
     SlopeMomentsPlusCorrelated: fn "slope_moments_plus_correlated", "SlopeMoments::plus_correlated";
-    SlopeMomentsCrossCovariance: fn "slope_moments_cross_covariance", "SlopeMoments::cross_covariance";
+    SlopeMomentsCrossCovariance: fn
+        "slope_moments_cross_covariance", "SlopeMoments::cross_covariance";
     SlopeMomentsTilted: fn "slope_moments_tilted", "SlopeMoments::tilted";
     SlopeMomentsTransformed: fn "slope_moments_transformed", "SlopeMoments::transformed";
     SlopeAlgebra: file "slope_algebra";
@@ -183,7 +184,8 @@ items! {
     NdfBeckmann: file "ndf_beckmann";
     PixelFilterBox: const "PIXEL_FILTER_BOX", "PixelFilter::BOX";
     PixelFilterKaplanyan: const "PIXEL_FILTER_KAPLANYAN", "PixelFilter::KAPLANYAN";
-    PixelFilterTokuyoshiKaplanyan: const "PIXEL_FILTER_TOKUYOSHI_KAPLANYAN", "PixelFilter::TOKUYOSHI_KAPLANYAN";
+    PixelFilterTokuyoshiKaplanyan: const
+        "PIXEL_FILTER_TOKUYOSHI_KAPLANYAN", "PixelFilter::TOKUYOSHI_KAPLANYAN";
     PixelFilterKaplanyanProxy: const "PIXEL_FILTER_KAPLANYAN_PROXY", "PixelFilter::KAPLANYAN_PROXY";
     KernelOf: fn "kernel_of", "Kernel::of";
     KernelFromCovariance: fn "kernel_from_covariance", "Kernel::from_covariance";
@@ -206,10 +208,12 @@ items! {
     ProjectedAlpha: fn "projected_alpha", "projected_alpha";
     FilterProjected: file "filter_projected";
     SphericalGaussianNew: fn "spherical_gaussian_new", "SphericalGaussian::new";
-    SphericalGaussianFromAngularRadius: fn "spherical_gaussian_from_angular_radius", "SphericalGaussian::from_angular_radius";
+    SphericalGaussianFromAngularRadius: fn
+        "spherical_gaussian_from_angular_radius", "SphericalGaussian::from_angular_radius";
     SphericalGaussianIntegral: fn "spherical_gaussian_integral", "SphericalGaussian::integral";
     SphericalGaussianKernel: fn "spherical_gaussian_kernel", "SphericalGaussian::kernel";
-    SphericalGaussianDiskKernel: fn "spherical_gaussian_disk_kernel", "SphericalGaussian::disk_kernel";
+    SphericalGaussianDiskKernel: fn
+        "spherical_gaussian_disk_kernel", "SphericalGaussian::disk_kernel";
     SphericalGaussianFootprint: fn "spherical_gaussian_footprint", "SphericalGaussian::footprint";
     FilterLight: file "filter_light";
     FilterPolygonSegment: file "filter_polygon_segment";
@@ -220,8 +224,9 @@ items! {
     FilterPolygonSecant: file "filter_polygon_secant";
     GgxParallelogramMean: fn "ggx_parallelogram_mean", "Ndf::parallelogram_mean";
     GgxRectangleMean: fn "ggx_rectangle_mean", "Ndf::rectangle_mean";
-    GgxBrdfOver: fn "ggx_brdf_over", "Ndf::brdf_over";
     FilterPolygonTree: file "filter_polygon_tree";
+    GgxBrdfOver: fn "ggx_brdf_over", "Ndf::brdf_over";
+    FilterPolygonBrdf: file "filter_polygon_brdf";
     BoxPeakAlpha: fn "box_peak_alpha", "box_peak_alpha";
     GaussianPeakAlpha: fn "gaussian_peak_alpha", "gaussian_peak_alpha";
     RoughnessPeakMatched: fn "roughness_peak_matched", "Roughness::peak_matched";
@@ -231,7 +236,8 @@ items! {
     BeckmannRectangleMean: fn "beckmann_rectangle_mean", "beckmann_rectangle_mean";
     FilterBeckmann: file "filter_beckmann";
     TokuyoshiDeferredAlpha: fn "tokuyoshi_deferred_alpha", "tokuyoshi_deferred_alpha";
-    TokuyoshiKaplanyanDeferredAlpha: fn "tokuyoshi_kaplanyan_deferred_alpha", "tokuyoshi_kaplanyan_deferred_alpha";
+    TokuyoshiKaplanyanDeferredAlpha: fn
+        "tokuyoshi_kaplanyan_deferred_alpha", "tokuyoshi_kaplanyan_deferred_alpha";
     LargestDeferredAlpha: fn "largest_deferred_alpha", "largest_deferred_alpha";
     KaplanyanDeferredAlphas: fn "kaplanyan_deferred_alphas", "kaplanyan_deferred_alphas";
     KaplanyanDeferredAlpha: fn "kaplanyan_deferred_alpha", "kaplanyan_deferred_alpha";
@@ -281,7 +287,8 @@ items! {
     EngineAlpha: fn "engine_alpha", "Engine::alpha";
     FilterEngine: file "filter_engine";
     KaplanyanRectangleMean: fn "kaplanyan_rectangle_mean", "kaplanyan_rectangle_mean";
-    KaplanyanRectangleMeanAsPrinted: fn "kaplanyan_rectangle_mean_as_printed", "kaplanyan_rectangle_mean_as_printed";
+    KaplanyanRectangleMeanAsPrinted: fn
+        "kaplanyan_rectangle_mean_as_printed", "kaplanyan_rectangle_mean_as_printed";
     KaplanyanProxyAlpha: fn "kaplanyan_proxy_alpha", "kaplanyan_proxy_alpha";
     FilterKaplanyan: file "filter_kaplanyan";
     #[feature("glint")]

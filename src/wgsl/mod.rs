@@ -1,10 +1,10 @@
 //! The same functions in WGSL, and nothing that a scene does not need.
 //!
-//! Layer 0, feature `wgsl`; needs an allocator, no other crate. Every function of this crate that a shader can use has
-//! a twin: `src/X.rs` and `src/wgsl/X.wgsl`, function by function, named `lobe_` and the Rust name. The texts have no
-//! entry points, no directives and, but for a dictionary ([`rebound`]), no bindings, so they go into any shader,
-//! after its directives; [`source`] returns the functions asked for with all that they call, and [`Module`] the files for
-//! linkers.
+//! Layer 0, feature `wgsl`; needs an allocator, no other crate. Every function of this crate that a
+//! shader can use has a twin: `src/X.rs` and `src/wgsl/X.wgsl`, function by function, named `lobe_`
+//! and the Rust name. The texts have no entry points, no directives and, but for a dictionary
+//! ([`rebound`]), no bindings, so they go into any shader, after its directives; [`source`] returns
+//! the functions asked for with all that they call, and [`Module`] the files for linkers.
 //!
 //! ```
 //! use lobe::wgsl::{Item, source};
@@ -20,25 +20,30 @@
 //!
 //! What differs from Rust, and where:
 //!
-//! - **Generic functions** are split in two: a shape answers (`lobe_anisotropic_normal`, `_view`, `_pair`), a distribution makes
-//!   a number of the answers: `lobe_ggx_d(lobe_anisotropic_normal(shape, m))`. Polygon means take `LobeNonCentered`.
-//! - **Names end in letters**, as translators mark digits: G1 and G2 are `_masking` and `_masking_shadowing`, `atan2` is
-//!   `lobe_atan_of`.
-//! - **Constructors do not fail**: numbers outside their range count as the nearest inside, NaN as 0, and where Rust
-//!   returns an error the result is 0 or a zero footprint. The comment of each function says so. No item returns
-//!   NaN, whatever numbers it is given; but `lobe_min` and `lobe_max` pass on that of their second argument, as Rust's
-//!   do. Structures are the WGSL port's to make: what a caller writes into one is not looked at again.
-//!   Compilers that assume numbers, as Metal's with fast math and HLSL's without strict IEEE do, may drop that promise for
-//!   an input that is NaN or infinite; for finite inputs it holds there, too, as no guard waits for a NaN or an infinity.
+//! - **Generic functions** are split in two: a shape answers (`lobe_anisotropic_normal`, `_view`,
+//!   `_pair`), a distribution makes a number of the answers:
+//!   `lobe_ggx_d(lobe_anisotropic_normal(shape, m))`. Polygon means take `LobeNonCentered`.
+//! - **Names end in letters**, as translators mark digits: G1 and G2 are `_masking` and
+//!   `_masking_shadowing`, `atan2` is `lobe_atan_of`.
+//! - **Constructors do not fail**: numbers outside their range count as the nearest inside, NaN as
+//!   0, and where Rust returns an error the result is 0 or a zero footprint. The comment of each
+//!   function says so. No item returns NaN, whatever numbers it is given; but `lobe_min` and
+//!   `lobe_max` pass on that of their second argument, as Rust's do. Structures are the WGSL port's
+//!   to make: what a caller writes into one is not looked at again. Compilers that assume numbers,
+//!   as Metal's with fast math and HLSL's without strict IEEE do, may drop that promise for an
+//!   input that is NaN or infinite; for finite inputs it holds there, too, as no guard waits for a
+//!   NaN or an infinity.
 //! - **Matrices** have their columns first, as WGSL has it; `matrix * vector` means the same.
 //! - **Pixel filters** are passed as their variance: `LOBE_PIXEL_FILTER_BOX` and the like.
-//! - **A dictionary** of marginals is a buffer, `lobe_dictionary`, filled with `Dictionary::nodes`, or a texture for WebGL 2
-//!   ([`textured`]); values of `LobeDictionary` are its sizes.
-//! - **Closures** are not passed: cells of a grid are a loop, and colored glints have the hue wheel.
+//! - **A dictionary** of marginals is a buffer, `lobe_dictionary`, filled with `Dictionary::nodes`,
+//!   or a texture for WebGL 2 ([`textured`]); values of `LobeDictionary` are its sizes.
+//! - **Closures** are not passed: cells of a grid are a loop, and colored glints have the hue
+//!   wheel.
 //! - `lobe_fragment_*` take derivatives from the quad, for fragment shaders; CPUs have no quads.
 //!
-//! Equal to Rust in f32 to the bit where no operation is fused or reordered, and quotients and roots are rounded
-//! correctly; within a few roundings where compilers and drivers do otherwise (`tests/gpu`, which runs every twin).
+//! Equal to Rust in f32 to the bit where no operation is fused or reordered, and quotients and
+//! roots are rounded correctly; within a few roundings where compilers and drivers do otherwise
+//! (`tests/gpu`, which runs every twin).
 
 mod binding;
 mod error;

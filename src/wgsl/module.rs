@@ -11,13 +11,16 @@ use core::fmt::Write as _;
 
 /// A WGSL file of the WGSL port, twin of the Rust file of the same path.
 ///
-/// One body, three headers: [`Module::body`] is raw WGSL for whoever concatenates texts, [`Module::wesl`] has `import`
-/// statements before it (WESL; Bevy from 0.20), [`Module::naga_oil`] has `#define_import_path` and `#import` (Bevy
-/// before that).
+/// One body, three headers: [`Module::body`] is raw WGSL for whoever concatenates texts,
+/// [`Module::wesl`] has `import` statements before it (WESL; Bevy from 0.20), [`Module::naga_oil`]
+/// has `#define_import_path` and `#import` (Bevy before that).
 ///
 /// ```
 /// use lobe::wgsl::Module;
-/// let ggx = Module::ALL.iter().find(|module| module.path() == "ndf/ggx").expect("a file of the WGSL port");
+/// let ggx = Module::ALL
+///     .iter()
+///     .find(|module| module.path() == "ndf/ggx")
+///     .expect("a file of the WGSL port");
 /// assert!(ggx.body().contains("fn lobe_ggx_d("));
 /// assert!(ggx.wesl().starts_with("import super::distribution::{"));
 /// assert!(ggx.naga_oil().starts_with("#define_import_path lobe::ndf::ggx\n#import lobe::"));
@@ -84,6 +87,7 @@ modules! {
     "filter/groove",
     "filter/polygon/secant",
     "filter/polygon/tree",
+    "filter/polygon/brdf",
     "filter/proxy",
     "filter/beckmann",
     "filter/deferred",
@@ -160,7 +164,8 @@ impl Module {
         self.body
     }
 
-    /// The text for WESL's linkers, with imports relative to a package in which the files lie as they do here.
+    /// The text for WESL's linkers, with imports relative to a package in which the files lie as
+    /// they do here.
     pub fn wesl(&self) -> String {
         let home: Vec<&str> = self.path.split('/').collect();
         let up = alloc::vec!["super"; home.len()].join("::");
@@ -183,7 +188,8 @@ impl Module {
 
     /// The text for naga_oil's composer, as the module `lobe::` and its path.
     ///
-    /// The composer takes a module after those that it imports: add the modules in the order of [`Module::ALL`].
+    /// The composer takes a module after those that it imports: add the modules in the order of
+    /// [`Module::ALL`].
     ///
     /// ```
     /// use lobe::wgsl::Module;
@@ -191,7 +197,11 @@ impl Module {
     /// for module in Module::ALL {
     ///     let text = module.naga_oil();
     ///     let imports = text.lines().filter_map(|line| line.strip_prefix("#import "));
-    ///     assert!(imports.map(|line| line.split("::{").next()).all(|path| known.contains(&path.map(String::from))));
+    ///     assert!(
+    ///         imports
+    ///             .map(|line| line.split("::{").next())
+    ///             .all(|path| known.contains(&path.map(String::from)))
+    ///     );
     ///     known.push(Some(format!("lobe::{}", module.path().replace('/', "::"))));
     /// }
     /// ```
@@ -209,7 +219,10 @@ impl Module {
     ///
     /// ```
     /// use lobe::wgsl::Module;
-    /// let exp = Module::ALL.iter().find(|module| module.path() == "scalar/exp").expect("a file of the WGSL port");
+    /// let exp = Module::ALL
+    ///     .iter()
+    ///     .find(|module| module.path() == "scalar/exp")
+    ///     .expect("a file of the WGSL port");
     /// assert_eq!(exp.dependencies(), ["scalar/real"]);
     /// ```
     pub fn dependencies(&self) -> Vec<&'static str> {

@@ -36,7 +36,8 @@ pub enum Preset {
     RayTraced,
     /// A plane with LEAN moments in textures, Beckmann, widened by the quad's kernel.
     LeanPlane,
-    /// A displaced surface with LEAN moments in unorm textures: LEADR for lights at points, and the facets of a grid.
+    /// A displaced surface with LEAN moments in unorm textures: LEADR for lights at points, and the
+    /// facets of a grid.
     Displaced,
     /// GGX under a spherical Gaussian light and the quad's kernel.
     AreaLight,
@@ -45,7 +46,8 @@ pub enum Preset {
     /// Forward glints, in the quad's patch and widened by its kernel.
     #[cfg(feature = "glint")]
     Glints,
-    /// Forward shading of a surface of facets, in the quad's patch and under its kernel on the projected disk.
+    /// Forward shading of a surface of facets, in the quad's patch and under its kernel on the
+    /// projected disk.
     #[cfg(feature = "glint")]
     ManyLobes,
 }

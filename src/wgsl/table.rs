@@ -11,7 +11,8 @@ macro_rules! items {
             $($gated:ident: $gated_kind:tt $gated_name:literal $(, $gated_twin:literal)?;)*
         )*
     ) => {
-        /// A function or constant of the WGSL port, or a whole file of it, to ask [`source`](super::source) for.
+        /// A function or constant of the WGSL port, or a whole file of it, to ask
+        /// [`source`](super::source) for.
         ///
         /// A file stands for all that it declares. Structures come with what uses them.
         ///
@@ -22,10 +23,16 @@ macro_rules! items {
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
         pub enum Item {
-            $(#[doc = concat!("The ", word!($kind), " `", $name, "`" $(, ", twin of `", $twin, "`")?, ".")] $variant,)*
+            $(
+                #[doc = concat!(
+                    "The ", word!($kind), " `", $name, "`" $(, ", twin of `", $twin, "`")?, "."
+                )]
+                $variant,
+            )*
             $($(
                 #[cfg(feature = $feature)]
-                #[doc = concat!("The ", word!($gated_kind), " `", $gated_name, "`" $(, ", twin of `", $gated_twin, "`")?, ".")]
+                #[doc = concat!("The ", word!($gated_kind), " `", $gated_name, "`" $(, ", twin of \
+                    `", $gated_twin, "`")?, ".")]
                 $gated,
             )*)*
         }

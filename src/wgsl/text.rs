@@ -1,7 +1,8 @@
 //! The text of the WGSL port, taken apart and put together again.
 //!
-//! Layer 0. The files keep to a shape that needs no parser: a declaration begins at the start of a line, under its
-//! comment, and ends with a line `}` or, for a constant or a buffer, with a semicolon.
+//! Layer 0. The files keep to a shape that needs no parser: a declaration begins at the start of a
+//! line, under its comment, and ends with a line `}` or, for a constant or a buffer, with a
+//! semicolon.
 
 use super::item::Item;
 use super::module::Module;
@@ -59,10 +60,11 @@ pub(super) fn uses(code: &'static str) -> impl Iterator<Item = &'static str> {
     })
 }
 
-/// The WGSL text of these items and of everything they use, each once and in the order of the files; nothing else.
+/// The WGSL text of these items and of everything they use, each once and in the order of the
+/// files; nothing else.
 ///
-/// No entry points, no directives, and no bindings but a dictionary's buffer: append your shader to it. The same items in
-/// any order, or twice, give the same text; none give an empty one.
+/// No entry points, no directives, and no bindings but a dictionary's buffer: append your shader to
+/// it. The same items in any order, or twice, give the same text; none give an empty one.
 ///
 /// ```
 /// use lobe::wgsl::{Item, source};

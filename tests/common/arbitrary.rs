@@ -1,9 +1,9 @@
 //! One generator of inputs, ordinary and adversarial, for whoever needs them.
 //!
-//! A [`Source`] is a string of words; every string means something, and the word 0 means the plainest
-//! choice, so that a shrinker that lowers words simplifies inputs. Property tests draw the words,
-//! fuzzers bring them as bytes, benches and parity tests take them from a seed. Values are f64; round
-//! them to f32 where inputs have to be exactly f32.
+//! A [`Source`] is a string of words; every string means something, and the word 0 means the
+//! plainest choice, so that a shrinker that lowers words simplifies inputs. Property tests draw the
+//! words, fuzzers bring them as bytes, benches and parity tests take them from a seed. Values are
+//! f64; round them to f32 where inputs have to be exactly f32.
 #![allow(clippy::incompatible_msrv, reason = "tests need a newer compiler, for their oracles")]
 
 use core::f64::consts::{FRAC_PI_2, TAU};
@@ -14,7 +14,8 @@ mod input;
 
 pub(crate) use input::{Ellipse, LobeInput};
 
-/// Alpha, where something changes: the ends, powers, and 1, where a projected roughness has its pole.
+/// Alpha, where something changes: the ends, powers, and 1, where a projected roughness has its
+/// pole.
 pub(crate) const SPECIAL_ALPHAS: [f64; 8] = [0.5, 1e-4, 1e-3, 0.01, 0.1, 1.0, 2.0, 30.0];
 
 /// The largest correlation.

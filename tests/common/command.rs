@@ -38,8 +38,9 @@ pub(crate) fn limited(program: &Path) -> Command {
 #[cfg(unix)]
 pub(crate) const SIGNALS: [&str; 2] = ["-INT", "-TERM"];
 
-/// Sends the signal to a program that makes the folder `out`, as soon as the program is `ready`: the program ends with one
-/// line, and the exit code of signals. Where the program had made the folder before the signal came, another run is tried.
+/// Sends the signal to a program that makes the folder `out`, as soon as the program is `ready`:
+/// the program ends with one line, and the exit code of signals. Where the program had made the
+/// folder before the signal came, another run is tried.
 #[cfg(unix)]
 #[track_caller]
 pub(crate) fn interrupted(

@@ -20,8 +20,8 @@ fn changed(path: &Path) -> SystemTime {
 
 /// The program, made of these files and folders.
 ///
-/// `cargo test` builds examples beside the tests, `cargo test --test NAME` does not: then an absent or outdated one is
-/// built here, in the same profile.
+/// `cargo test` builds examples beside the tests, `cargo test --test NAME` does not: then an absent
+/// or outdated one is built here, in the same profile.
 pub(crate) fn example(name: &str, sources: &[&str]) -> PathBuf {
     let test = std::env::current_exe().expect("the path of this test");
     let profile = test.ancestors().nth(2).expect("target/PROFILE/deps/TEST");

@@ -44,8 +44,8 @@ pub(crate) fn integral(f: impl Fn([f64; 2]) -> f64, reach: f64, nodes: u32) -> f
     midpoints(reach, nodes, |[x, y]| f([a * x + b * y, c * y])) * a * c
 }
 
-/// Kernels against a lobe's covariance: round in its plane, and so but for a rounding, at the longest piece and around it,
-/// long, a segment, of the plane's own axes, and any.
+/// Kernels against a lobe's covariance: round in its plane, and so but for a rounding, at the
+/// longest piece and around it, long, a segment, of the plane's own axes, and any.
 pub(crate) fn kernels(covariance: Psd<f64>) -> Vec<Kernel<f64>> {
     // A side of 1.5 deviations is the longest piece.
     let longest = 1.5 * 1.5 / 12.0;

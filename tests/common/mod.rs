@@ -22,7 +22,8 @@ use proptest::test_runner::{
 pub(crate) const ULP: f64 = f64::EPSILON;
 pub(crate) const ULP_SINGLE: f64 = f32::EPSILON as f64;
 
-/// Numbers that are none, have no sign or no size, lie at an end of a range, or are as large as they get in f32.
+/// Numbers that are none, have no sign or no size, lie at an end of a range, or are as large as
+/// they get in f32.
 pub(crate) const ODD: [f64; 17] = [
     f64::NAN,
     f64::INFINITY,
@@ -43,14 +44,15 @@ pub(crate) const ODD: [f64; 17] = [
     f32::MAX as f64,
 ];
 
-/// Runs a law on its inputs, the same ones every time: on `full` of them in a long run, on a share in an ordinary one
-/// ([`size::cases`]). A failure is shrunk towards plain inputs.
+/// Runs a law on its inputs, the same ones every time: on `full` of them in a long run, on a share
+/// in an ordinary one ([`size::cases`]). A failure is shrunk towards plain inputs.
 #[track_caller]
 pub(crate) fn check(full: u32, law: impl Fn(&mut Source) -> TestCaseResult) {
     check_all(size::cases(full), law);
 }
 
-/// Runs a law on all of its inputs in every run: one whose violations are too rare for a share of them.
+/// Runs a law on all of its inputs in every run: one whose violations are too rare for a share of
+/// them.
 #[track_caller]
 pub(crate) fn check_all(cases: u32, law: impl Fn(&mut Source) -> TestCaseResult) {
     let config = Config {
@@ -85,7 +87,8 @@ pub(crate) fn near(got: f64, want: f64, tolerance: f64, inputs: &dyn Debug) -> T
         return Ok(());
     }
     Err(TestCaseError::fail(format!(
-        "got {got:e}, want {want:e}: off by {error:e} (relative {:e}), allowed {tolerance:e}, inputs {inputs:?}",
+        "got {got:e}, want {want:e}: off by {error:e} (relative {:e}), allowed {tolerance:e}, \
+            inputs {inputs:?}",
         error / want.abs()
     )))
 }

@@ -1,5 +1,5 @@
-//! Integrals in f64, for references: adaptive Gauss-Kronrod, and the trapezoid rule where it converges
-//! geometrically.
+//! Integrals in f64, for references: adaptive Gauss-Kronrod, and the trapezoid rule where it
+//! converges geometrically.
 
 /// Positive nodes of Kronrod's 15 point rule, with its weights and those of Gauss' 7 point rule.
 ///
@@ -31,7 +31,8 @@ fn kronrod(f: &mut dyn FnMut(f64) -> f64, a: f64, b: f64) -> (f64, f64) {
 pub(crate) fn adaptive(f: &mut dyn FnMut(f64) -> f64, a: f64, b: f64, relative: f64) -> f64 {
     let (whole, error) = kronrod(f, a, b);
     let mut pieces = vec![(a, b, whole, error)];
-    // The estimate of a 15 point rule by a 7 point rule is pessimistic: bisection stops late enough.
+    // The estimate of a 15 point rule by a 7 point rule is pessimistic: bisection stops late
+    // enough.
     for _ in 0..2000 {
         let total: f64 = pieces.iter().map(|p| p.2).sum();
         let error: f64 = pieces.iter().map(|p| p.3).sum();
@@ -51,19 +52,19 @@ pub(crate) fn adaptive(f: &mut dyn FnMut(f64) -> f64, a: f64, b: f64, relative: 
     pieces.iter().map(|p| p.2).sum()
 }
 
-/// The integral over [-reach, reach] by steps of about `step`: exact to rounding for analytic functions
-/// that vanish at both ends.
+/// The integral over [-reach, reach] by steps of about `step`: exact to rounding for analytic
+/// functions that vanish at both ends.
 pub(crate) fn trapezoid(f: &mut dyn FnMut(f64) -> f64, reach: f64, step: f64) -> f64 {
     let half = (reach / step).ceil() as i32;
     let step = reach / f64::from(half);
     (-half..=half).map(|k| f(step * f64::from(k))).sum::<f64>() * step
 }
 
-/// The integral over the plane in polar coordinates, of a function that has one center at the origin,
-/// width 1, and falls like $|w|^{-4}$ or faster: trapezoid in ln r and in the angle.
+/// The integral over the plane in polar coordinates, of a function that has one center at the
+/// origin, width 1, and falls like $|w|^{-4}$ or faster: trapezoid in ln r and in the angle.
 ///
-/// In x = ln r, the integrands $2 r^2/(1 + r^2)^2$ and $2 r^2 e^{-r^2}$ are analytic for |Im x| < pi/4:
-/// a step of 1/8 errs by $e^{-2\pi (\pi/4) 8}$ = 7e-18; beyond |x| = 18 lies less than e^-36.
+/// In x = ln r, the integrands $2 r^2/(1 + r^2)^2$ and $2 r^2 e^{-r^2}$ are analytic for |Im x| <
+/// pi/4: a step of 1/8 errs by $e^{-2\pi (\pi/4) 8}$ = 7e-18; beyond |x| = 18 lies less than e^-36.
 pub(crate) fn over_plane(f: &mut dyn FnMut([f64; 2]) -> f64) -> f64 {
     const ANGLES: i32 = 12;
     let turn = core::f64::consts::TAU / f64::from(ANGLES);
@@ -87,7 +88,8 @@ pub(crate) fn over_square(f: &mut dyn FnMut(f64, f64) -> f64, relative: f64) -> 
     adaptive(&mut across, -0.5, 0.5, relative)
 }
 
-/// The integral over the square of this half side by midpoints, for functions that have steps or kinks.
+/// The integral over the square of this half side by midpoints, for functions that have steps or
+/// kinks.
 pub(crate) fn midpoints(half: f64, nodes: u32, f: impl Fn([f64; 2]) -> f64) -> f64 {
     let step = 2.0 * half / f64::from(nodes);
     let at = |k: u32| step * (f64::from(k) + 0.5) - half;

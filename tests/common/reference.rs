@@ -1,4 +1,5 @@
-//! What the laws hold the library against: formulas of their own, on nalgebra, statrs and quadrature.
+//! What the laws hold the library against: formulas of their own, on nalgebra, statrs and
+//! quadrature.
 
 use super::arbitrary::{Ellipse, LobeInput};
 use super::quadrature::{adaptive, trapezoid};
@@ -20,7 +21,8 @@ pub(crate) trait Known: Distribution {
     fn chained_density(lobe: &LobeInput, slope: [f64; 2]) -> f64;
 }
 
-/// Mean and factor of y given the whitened x: the linear regression of the second slope on the first.
+/// Mean and factor of y given the whitened x: the linear regression of the second slope on the
+/// first.
 fn regression(lobe: &LobeInput, slope: [f64; 2]) -> (f64, f64, f64) {
     let Ellipse { x, y, rho } = lobe.ellipse;
     let first = (slope[0] - lobe.mean[0]) / x;
@@ -53,7 +55,8 @@ impl Known for GgxDistribution {
         1.0 / (PI * secant2 * secant2)
     }
 
-    /// Student's t with two degrees of freedom; given the first slope, with three, wider by the first.
+    /// Student's t with two degrees of freedom; given the first slope, with three, wider by the
+    /// first.
     fn chained_density(lobe: &LobeInput, slope: [f64; 2]) -> f64 {
         let (first, second_mean, width) = regression(lobe, slope);
         let marginal = StudentsT::new(0.0, 0.5_f64.sqrt(), 2.0).expect("a scale above 0");
@@ -79,9 +82,10 @@ pub(crate) fn stretch(lobe: &LobeInput, w: [f64; 3]) -> (f64, [f64; 2]) {
 
 /// Integral over the slopes s of max(0, w.m)/m_z times `density(s)`, by quadrature.
 ///
-/// In whitened coordinates turned so that the first runs along L^T w, w.m/m_z is c - a x: the integral
-/// over x ends at its zero, and is smooth. x = sinh, y = sinh: tails become exponential. Relative error
-/// 1e-10; GGX's tail beyond x = -4e13 is 5e-14 of an area with |c/a| = 1, and grows like |c/a|.
+/// In whitened coordinates turned so that the first runs along L^T w, w.m/m_z is c - a x: the
+/// integral over x ends at its zero, and is smooth. x = sinh, y = sinh: tails become exponential.
+/// Relative error 1e-10; GGX's tail beyond x = -4e13 is 5e-14 of an area with |c/a| = 1, and grows
+/// like |c/a|.
 pub(crate) fn area_by_quadrature(
     lobe: &LobeInput,
     w: [f64; 3],
@@ -93,7 +97,8 @@ pub(crate) fn area_by_quadrature(
     let mut outer = |xi: f64| {
         let x = xi.sinh();
         // Poles of the GGX integrand at Im = pi/2: a step of 0.2 errs by e^(-pi^2/0.2) = 4e-22.
-        // Beckmann's is bounded for |Im| < pi/4: e^(-pi^2/0.4) = 2e-11. GGX leaves e^(-27) beyond its reach.
+        // Beckmann's is bounded for |Im| < pi/4: e^(-pi^2/0.4) = 2e-11. GGX leaves e^(-27) beyond
+        // its reach.
         let reach = (2.0 + x.abs()).ln() + 9.0;
         let mut inner = |eta: f64| {
             let y = eta.sinh();

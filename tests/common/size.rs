@@ -1,4 +1,5 @@
-//! How much a test run takes: laws at full size in `./test.sh --long`, a share of their cases otherwise.
+//! How much a test run takes: laws at full size in `./test.sh --long`, a share of their cases
+//! otherwise.
 
 /// An ordinary run takes one case in this many of a law that counts its cases.
 ///
@@ -15,7 +16,8 @@ pub fn size<T>(ordinary: T, long: T) -> T {
     if is_long() { long } else { ordinary }
 }
 
-/// How many of a law's `full` cases are run: all in a long run, and not fewer than 100 (or all) in an ordinary one.
+/// How many of a law's `full` cases are run: all in a long run, and not fewer than 100 (or all) in
+/// an ordinary one.
 pub fn cases(full: u32) -> u32 {
     size((full / SHARE).max(full.min(100)), full)
 }

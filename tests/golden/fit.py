@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Fits the polynomials of src/scalar/{exp,ln,atan,erfc,quantile}.rs and the factors of src/filter/proxy.rs, and prints them.
+"""Fits the polynomials of src/scalar/{exp,ln,atan,erfc,quantile}.rs and the factors of
+src/filter/proxy.rs, and prints them.
 
 Usage: python3 fit.py [name ...]      (all fits when no name is given)
 
@@ -157,8 +158,10 @@ def literal(c, bits):
 def report(name, fit, bits, where=lambda v: v):
     coefs, worst, at = fit.run(bits)
     kind = "f32" if bits == SINGLE else "f64"
-    print(f"// {name}: degree {fit.degree}, error {mp.nstr(worst, 3)} "
-          f"(2^{mp.nstr(mp.log(worst, 2), 4)}) at {mp.nstr(where(at), 4)}")
+    print(
+        f"// {name}: degree {fit.degree}, error {mp.nstr(worst, 3)} "
+        f"(2^{mp.nstr(mp.log(worst, 2), 4)}) at {mp.nstr(where(at), 4)}"
+    )
     print(f"const {name.upper()}: [{kind}; {len(coefs)}] = [")
     for c in coefs:
         print(f"    {literal(c, bits)},")
@@ -170,9 +173,11 @@ def report(name, fit, bits, where=lambda v: v):
 
 def fit_exp(name, bits, degree):
     """(exp(r) - 1 - r)/r^2 on |r| <= 0.3475 (just over ln(2)/2), error relative to exp(r)."""
+
     def core(r):
         with mp.extradps(20):
             return (mp.expm1(r) - r) / (r * r)
+
     half = mpf("0.3475")
     fit = Fit(core, lambda r: r * r * mp.exp(-r), -half, half, degree)
     report(name, fit, bits)
@@ -180,37 +185,47 @@ def fit_exp(name, bits, degree):
 
 def fit_atan(name, bits, degree):
     """(atan(t)/t - 1)/s, s = t^2, on 0 <= s <= 1, error relative to atan(t)."""
+
     def core(s):
         t = mp.sqrt(s)
         with mp.extradps(20):
             return (mp.atan(t) / t - 1) / s if s else mpf(-1) / 3
+
     def weight(s):
         t = mp.sqrt(s)
         return s * t / mp.atan(t) if s else mpf(0)
+
     report(name, Fit(core, weight, 0, 1, degree), bits)
 
 
 def fit_atan_excess(name, bits, degree):
     """(atan(x) - x/(1 + x^2))/x^3 in s = x^2, 0 <= s <= 1, relative."""
+
     def core(s):
         x = mp.sqrt(s)
         with mp.extradps(40):
             return (mp.atan(x) - x / (1 + s)) / (x * s) if s else mpf(2) / 3
+
     report(name, Fit(core, lambda s: 1 / core(s), 0, 1, degree), bits)
 
 
 def fit_ln(name, bits, degree):
-    """(ln((1 + s)/(1 - s)) - 2 s)/s^3 in z = s^2, 0 <= s <= 3 - 2 sqrt(2), error relative to the logarithm."""
+    """(ln((1 + s)/(1 - s)) - 2 s)/s^3 in z = s^2, 0 <= s <= 3 - 2 sqrt(2), error relative to the
+    logarithm."""
+
     def whole(z):
         s = mp.sqrt(z)
         with mp.extradps(30):
             return mp.log((1 + s) / (1 - s))
+
     def core(z):
         s = mp.sqrt(z)
         with mp.extradps(30):
             return (whole(z) - 2 * s) / (s * z) if z else mpf(2) / 3
+
     def weight(z):
         return z * mp.sqrt(z) / whole(z) if z else mpf(0)
+
     report(name, Fit(core, weight, 0, mpf("0.02944"), degree), bits)
 
 
@@ -221,12 +236,15 @@ def fit_half_line(name, bits, degree, pole, reference, factor, limit):
     3/8 the terms hardly cancel. At infinity the product is limit/sqrt(pi).
     """
     center = mpf(3) / 8
+
     def argument(u):
         t = u + center
         return pole * (1 - t) / t if t else mp.inf
+
     def core(u):
         x = argument(u)
         return reference(x) * factor(x) if x < 1e25 else limit / mp.sqrt(mp.pi)
+
     fit = Fit(core, lambda u: 1 / core(u), -center, 1 - center, degree)
     report(name, fit, bits, argument)
 
@@ -243,17 +261,22 @@ def fit_ierfcx(name, bits, degree, pole):
 
 def fit_half_turn(name, bits, degree):
     """tan(pi u/4)/u in v = u^2, 0 <= v <= 1: relative."""
+
     def core(v):
         u = mp.sqrt(v)
         return mp.tan(mp.pi / 4 * u) / u if v else mp.pi / 4
+
     report(name, Fit(core, lambda v: 1 / core(v), 0, 1, degree), bits)
 
 
 def fit_quantile(name, bits, degree):
-    """z/(1 - 2v) in t = w/(w + 8) - 3/8, w = -ln(4v(1 - v)), for v from 2^-34 to 1/2: relative; P(Z > z) = v."""
+    """z/(1 - 2v) in t = w/(w + 8) - 3/8, w = -ln(4v(1 - v)), for v from 2^-34 to 1/2: relative;
+    P(Z > z) = v."""
+
     def argument(t):
         r = t + mpf(3) / 8
         return 8 * r / (1 - r)
+
     def core(t):
         w = argument(t)
         if w < mpf("1e-12"):
@@ -263,9 +286,15 @@ def fit_quantile(name, bits, degree):
         v = e / (2 * (1 + x))
         log = lambda z: mp.log(mp.erfc(z / mp.sqrt(2)) / 2) - mp.log(v)
         return mp.findroot(log, mp.sqrt(2 * w) if w > 1 else mp.sqrt(mp.pi / 2) * x) / x
+
     w = 34 * mp.ln(2) - mp.ln(4)
     fit = Fit(core, lambda t: 1 / core(t), -mpf(3) / 8, w / (w + 8) - mpf(3) / 8, degree)
-    report(name, fit, bits, lambda t: mp.exp(-argument(t)) / (2 * (1 + mp.sqrt(1 - mp.exp(-argument(t))))))
+    report(
+        name,
+        fit,
+        bits,
+        lambda t: mp.exp(-argument(t)) / (2 * (1 + mp.sqrt(1 - mp.exp(-argument(t))))),
+    )
 
 
 def split(name, value, bits, head):
@@ -283,15 +312,19 @@ def split(name, value, bits, head):
 
 def simplex(f, x, steps=1500):
     """Nelder & Mead 1965, from x: the parameters with the smallest f found, all positive."""
-    points = [[abs(v) for v in x]] + [[abs(v) * (1.3 if i == k else 1) for i, v in enumerate(x)] for k in range(len(x))]
+    points = [[abs(v) for v in x]] + [
+        [abs(v) * (1.3 if i == k else 1) for i, v in enumerate(x)] for k in range(len(x))
+    ]
     values = [f(p) for p in points]
     for _ in range(steps):
         order = sorted(range(len(points)), key=values.__getitem__)
         points, values = [points[i] for i in order], [values[i] for i in order]
         middle = [sum(c) / len(x) for c in zip(*points[:-1])]
+
         def at(t):
             p = [abs(m + t * (m - w)) for m, w in zip(middle, points[-1])]
             return p, f(p)
+
         trial = at(1)
         if trial[1] < values[0]:
             trial = min(trial, at(2), key=lambda t: t[1])
@@ -311,7 +344,8 @@ def round_factor(p, kappa):
 
 
 def peak(major, minor):
-    """pi times the peak of the unit GGX under a Gaussian with K = diag(major, minor): trapezoid in ln t."""
+    """pi times the peak of the unit GGX under a Gaussian with K = diag(major, minor): trapezoid in
+    ln t."""
     total, step = 0.0, 0.05
     for n in range(-900, 84):
         t = math.exp(n * step)
@@ -320,21 +354,30 @@ def peak(major, minor):
 
 
 def fit_peak_round(name):
-    """The factor t of A + tK for isotropic A and K = kappa A, kappa 1e-4 to 1e4: error of alpha'^2."""
+    """The factor t of A + tK for isotropic A and K = kappa A, kappa 1e-4 to 1e4: error of
+    alpha'^2."""
     kappas = [10 ** (-4 + 8 * n / 200) for n in range(201)]
     factors = [float(1 / (1 - x * mp.exp(x) * mp.e1(x)) - x) for x in (1 / mpf(k) for k in kappas)]
+
     def error(p):
         pairs = zip(kappas, factors)
         return max(abs(k * (round_factor(p, k) - t) / (1 + k * t)) for k, t in pairs)
-    found = min((simplex(error, [0.5 * c, c, 0.5 * c, 0.1 * c]) for c in (1, 1.4, 2, 3)), key=lambda r: r[1])
+
+    found = min(
+        (simplex(error, [0.5 * c, c, 0.5 * c, 0.1 * c]) for c in (1, 1.4, 2, 3)), key=lambda r: r[1]
+    )
     print(f"// {name}: {[float(f'{v:.5g}') for v in found[0]]}, error of alpha'^2 {found[1]:.2g}")
 
 
 def fit_peak_long(name):
     """What kernels long against the lobe add to it, major axis 1e-3 to 1e5: error of the peak."""
-    shapes = [(10 ** (-3 + 8 * n / 24), r) for n in range(25)
-              for r in (0, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 0.03, 0.1, 0.2, 0.4, 0.7, 1)]
+    shapes = [
+        (10 ** (-3 + 8 * n / 24), r)
+        for n in range(25)
+        for r in (0, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 0.03, 0.1, 0.2, 0.4, 0.7, 1)
+    ]
     rows = [(a, a * r, peak(a, a * r)) for a, r in shapes]
+
     def error(p):
         worst = 0.0
         for major, minor, exact in rows:
@@ -345,7 +388,10 @@ def fit_peak_long(name):
             t += (4 / math.pi - 1) * line * long / (1 + p[2] * 0.5 * det / kappa)
             worst = max(worst, abs(1 / math.sqrt((1 + t * major) * (1 + t * minor)) / exact - 1))
         return worst
-    found = min((simplex(error, [0.5 * c, 0.5 * c, c], 400) for c in (0.3, 0.7, 1.1)), key=lambda r: r[1])
+
+    found = min(
+        (simplex(error, [0.5 * c, 0.5 * c, c], 400) for c in (0.3, 0.7, 1.1)), key=lambda r: r[1]
+    )
     print(f"// {name}: {[float(f'{v:.4g}') for v in found[0]]}, error of the peak {found[1]:.3g}")
 
 

@@ -3,53 +3,64 @@
 
     python3 tests/golden/generate.py [--out DIR] [--check]
 
-Needs Python 3 and mpmath, nothing else; nothing here calls the crate. One CSV per quantity goes to DIR (default:
-the folder of this script). `--check` writes nothing, compares with the files in DIR byte for byte and exits with
-1 when one differs. Inputs are printed so that parsing them as f64 gives back the f32 exactly. Expected values
-are exact functions of the printed inputs, rounded to 20 digits: each is evaluated at 60 and 120 digits, and the
-precision doubles until two evaluations agree to 25. A value too small for f64 is printed as it is.
+Needs Python 3 and mpmath, nothing else; nothing here calls the crate. One CSV per quantity goes to
+DIR (default: the folder of this script). `--check` writes nothing, compares with the files in DIR
+byte for byte and exits with 1 when one differs. Inputs are printed so that parsing them as f64
+gives back the f32 exactly. Expected values are exact functions of the printed inputs, rounded to 20
+digits: each is evaluated at 60 and 120 digits, and the precision doubles until two evaluations
+agree to 25. A value too small for f64 is printed as it is.
 
-Convention: tangent frame with n = +z, slope s = (-m_x/m_z, -m_y/m_z) of a normal m, roughness matrix A
-(isotropic: alpha^2 I), q = (s - mean)^T A^-1 (s - mean).
+Convention: tangent frame with n = +z, slope s = (-m_x/m_z, -m_y/m_z) of a normal m, roughness
+matrix A (isotropic: alpha^2 I), q = (s - mean)^T A^-1 (s - mean).
 
 Formulas, by table:
-  *_p22               P22 = exp(-q) / (pi sqrt(det A)) for Beckmann, 1 / (pi sqrt(det A) (1 + q)^2) for GGX: Heitz 2014,
-                      "Understanding the Masking-Shadowing Function"; mean slope: Dupuy et al. 2013 (LEADR)
+  *_p22               P22 = exp(-q) / (pi sqrt(det A)) for Beckmann, 1 / (pi sqrt(det A) (1 + q)^2)
+                      for GGX: Heitz 2014, "Understanding the Masking-Shadowing Function"; mean
+                      slope: Dupuy et al. 2013 (LEADR)
   *_d                 P22 / m_z^4
-  *_projected_area    sigma(w) = integral of max(0, w.(-s, 1)) P22(s) ds, in closed form through
-                      c = w.(-mean, 1) and a = sqrt(w_xy^T A w_xy)
+  *_projected_area    sigma(w) = integral of max(0, w.(-s, 1)) P22(s) ds, in closed form through c =
+                      w.(-mean, 1) and a = sqrt(w_xy^T A w_xy)
   *_lambda            sigma/c - 1: Walter et al. 2007, Heitz 2014
-  *_brdf              D(h) / (4 (sigma_o c_i + sigma_i c_o - c_o c_i)), h = normalize(wo + wi): height-correlated Smith
-                      masking, F = 1, cosines c to the mean normal (LEADR); 0 where c_o <= 0 or c_i <= 0
-  ggx_rectangle_mean  Kaplanyan et al. 2016, "Filtering Distributions of Normals for Shading Antialiasing", Appendix A,
-                      over the full rectangle slope +- half; beckmann_rectangle_mean: differences of erf along each axis
+  *_brdf              D(h) / (4 (sigma_o c_i + sigma_i c_o - c_o c_i)), h = normalize(wo + wi):
+                      height-correlated Smith masking, F = 1, cosines c to the mean normal (LEADR);
+                      0 where c_o <= 0 or c_i <= 0
+  ggx_rectangle_mean  Kaplanyan et al. 2016, "Filtering Distributions of Normals for Shading
+                      Antialiasing", Appendix A, over the full rectangle slope +- half;
+                      beckmann_rectangle_mean: differences of erf along each axis
   ggx_parallelogram_mean
-                      Lambert's polygon formula in whitened slopes, as GGX is a linearly transformed cosine; where the
-                      area is zero, its limit: closed forms along a line
-  ggx_gaussian_mean   GGX is the mixture integral e^-t P_beckmann(s; A/t) dt; convolution with N(0, K) adds 2 K to each
-                      A/t; trapezoid rule in ln t
+                      Lambert's polygon formula in whitened slopes, as GGX is a linearly transformed
+                      cosine; where the area is zero, its limit: closed forms along a line
+  ggx_gaussian_mean   GGX is the mixture integral e^-t P_beckmann(s; A/t) dt; convolution with N(0,
+                      K) adds 2 K to each A/t; trapezoid rule in ln t
   ggx_proxy_rectangle_alpha
-                      alpha of the GGX as high as GGX averaged over a square: Kaplanyan et al. 2016, Eq. 20, re-derived from
-                      Eq. 18 and 19
+                      alpha of the GGX as high as GGX averaged over a square: Kaplanyan et al. 2016,
+                      Eq. 20, re-derived from Eq. 18 and 19
   ggx_proxy_gaussian_alpha
-                      alpha of the GGX as high as GGX under an isotropic Gaussian, through the exponential integral
-  jacobians           Tokuyoshi 2017, "Error Reduction and Simplification for Shading Anti-Aliasing", Eqs. 5, 8, 25; the
-                      sphere's frame: along the meridian away from n, then along n x h
+                      alpha of the GGX as high as GGX under an isotropic Gaussian, through the
+                      exponential integral
+  jacobians           Tokuyoshi 2017, "Error Reduction and Simplification for Shading
+                      Anti-Aliasing", Eqs. 5, 8, 25; the sphere's frame: along the meridian away
+                      from n, then along n x h
   half_slope_jacobian Kaplanyan et al. 2016, Eq. 4
-  chermain_m          Chermain et al. 2021, "Real-Time Geometric Glint Anti-Aliasing with Normal Map Filtering", Eq. 18
+  chermain_m          Chermain et al. 2021, "Real-Time Geometric Glint Anti-Aliasing with Normal Map
+                      Filtering", Eq. 18
 
-Self-checks, made every time on rows of the tables themselves. In f64 and two dimensions, on moderate rows, where direct
-integration converges; in arbitrary precision on rows of every kind:
+Self-checks, made every time on rows of the tables themselves. In f64 and two dimensions, on
+moderate rows, where direct integration converges; in arbitrary precision on rows of every kind:
   P22                 integrates to 1 over the plane
-  D, BRDF             against the textbook forms in angles (isotropic, centered); the BRDF also by its factors, Lambda
-                      by quadrature, and with wo and wi swapped
-  sigma, Lambda       against two-dimensional quadrature of the defining integral; along the one axis that matters
-  rectangles          against two-dimensional quadrature of P22; GGX as a parallelogram, Beckmann by quadrature per axis
-  parallelograms      against two-dimensional quadrature of P22; line by line; those of no area against very thin ones
-  Gaussian mean       against quadrature of the convolution (all rows of singular K); against an adaptive rule for the
-                      mixture; at the peak against the exponential integral
-  proxies             the peak 1/(pi alpha'^2): of squares against the rectangle's formula (all rows) and line by line, of
-                      Gaussians against the mixture and by quadrature over the radius
+  D, BRDF             against the textbook forms in angles (isotropic, centered); the BRDF also by
+                      its factors, Lambda by quadrature, and with wo and wi swapped
+  sigma, Lambda       against two-dimensional quadrature of the defining integral; along the one
+                      axis that matters
+  rectangles          against two-dimensional quadrature of P22; GGX as a parallelogram, Beckmann by
+                      quadrature per axis
+  parallelograms      against two-dimensional quadrature of P22; line by line; those of no area
+                      against very thin ones
+  Gaussian mean       against quadrature of the convolution (all rows of singular K); against an
+                      adaptive rule for the mixture; at the peak against the exponential integral
+  proxies             the peak 1/(pi alpha'^2): of squares against the rectangle's formula (all
+                      rows) and line by line, of Gaussians against the mixture and by quadrature
+                      over the radius
   Jacobians           against numerical derivatives of the maps, all rows
   half-slope Jacobian against numerical derivatives over a curved surface, all rows
   Chermain's M        sigma_o^2 M M^T is the covariance, all rows
@@ -78,7 +89,7 @@ MATRIX = "a_xx a_xy a_yy"
 MEAN = "mean_x mean_y"
 
 
-# ---------------------------------------------------------------------------------------------------------------
+# -------------------------------------------------------------------------------------------------
 # Numbers
 
 
@@ -92,11 +103,11 @@ def f32s(*xs):
 
 
 def stable(formula, inputs):
-    """`formula` of the exact inputs, at a precision doubled until two evaluations agree to 25 digits.
+    """`formula` of the exact inputs, at a precision doubled until two evaluations agree to 25
+    digits.
 
-    An output that vanishes identically comes out as rounding noise, which never agrees: what lies 50 digits below the
-    largest output is zero.
-    """
+    An output that vanishes identically comes out as rounding noise, which never agrees: what lies
+    50 digits below the largest output is zero."""
     dps, before = DPS, None
     while dps < 10000:
         with mp.workdps(dps):
@@ -104,7 +115,9 @@ def stable(formula, inputs):
             values = list(values) if isinstance(values, (list, tuple)) else [values]
             noise = max(abs(x) for x in values) * mpf(10) ** -50
             values = [x if abs(x) > noise else mpf(0) for x in values]
-            if before and all(abs(x - y) <= mpf(10) ** -AGREE * abs(x) for x, y in zip(values, before)):
+            if before and all(
+                abs(x - y) <= mpf(10) ** -AGREE * abs(x) for x, y in zip(values, before)
+            ):
                 return values
         dps, before = 2 * dps, values
     raise ArithmeticError(f"no stable value for {formula} {inputs}")
@@ -120,8 +133,9 @@ def rare(row):
     return row % 60 == 8
 
 
-# ---------------------------------------------------------------------------------------------------------------
-# The two lobes: density from (q, sqrt(det A)), projected area and Lambda from (c, a); and where to sample them
+# -------------------------------------------------------------------------------------------------
+# The two lobes: density from (q, sqrt(det A)), projected area and Lambda from (c, a); and where to
+# sample them
 
 
 class Beckmann:
@@ -199,8 +213,9 @@ def inverse_quadratic(x, y, xx, xy, yy):
     return quadratic(x, y, yy, -xy, xx) / det, mp.sqrt(det)
 
 
-# ---------------------------------------------------------------------------------------------------------------
-# Random inputs. uniform, randrange and choice give the same sequence for a seed in every Python since 3.2.
+# -------------------------------------------------------------------------------------------------
+# Random inputs. uniform, randrange and choice give the same sequence for a seed in every Python
+# since 3.2.
 
 
 def log_uniform(rng, low, high):
@@ -224,7 +239,8 @@ def correlation(rng):
 
 
 def covariance(x, y, rho):
-    """[[x^2, rho x y], [rho x y, y^2]] in f32, or None where rounding has cost it its definiteness."""
+    """[[x^2, rho x y], [rho x y, y^2]] in f32, or None where rounding has cost it its
+    definiteness."""
     xx, xy, yy = f32s(x * x, rho * x * y, y * y)
     # Products of two f32 are exact in f64, hence so is the comparison.
     return (xx, xy, yy) if xx * yy > xy * xy else None
@@ -236,7 +252,11 @@ def roughness(rng, low=1e-4, high=30.0):
     x = log_uniform(rng, low, high)
     if kind == 0:
         return covariance(x, x, 0)
-    y = min(max(x * log_uniform(rng, 0.1, 10), low), high) if rng.random() < 0.5 else log_uniform(rng, low, high)
+    y = (
+        min(max(x * log_uniform(rng, 0.1, 10), low), high)
+        if rng.random() < 0.5
+        else log_uniform(rng, low, high)
+    )
     return covariance(x, y, correlation(rng) if kind == 2 else 0) or roughness(rng, low, high)
 
 
@@ -264,11 +284,16 @@ def from_tilt(rng, tilt):
 
 
 def direction(rng):
-    """Upper hemisphere: uniform, towards grazing (z to 1e-6), or towards the normal (tilt to 1e-6)."""
+    """Upper hemisphere: uniform, towards grazing (z to 1e-6), or towards the normal (tilt to
+    1e-6)."""
     kind = rng.randrange(3)
     if kind == 0:
         return from_z(rng, rng.uniform(1e-3, 1))
-    return from_z(rng, log_uniform(rng, 1e-6, 1)) if kind == 1 else from_tilt(rng, log_uniform(rng, 1e-6, 1))
+    return (
+        from_z(rng, log_uniform(rng, 1e-6, 1))
+        if kind == 1
+        else from_tilt(rng, log_uniform(rng, 1e-6, 1))
+    )
 
 
 def slope_anywhere(rng):
@@ -295,7 +320,7 @@ def by_kind(row, near_row, anywhere_row, special_rows):
     return anywhere_row() if kind < 9 else special_rows[row // 10 % len(special_rows)]()
 
 
-# ---------------------------------------------------------------------------------------------------------------
+# -------------------------------------------------------------------------------------------------
 # P22 and D
 
 
@@ -320,7 +345,9 @@ def p22_inputs(lobe, rng, row):
             lambda: f32s(*circle(rng, 1e-6)) + (0.0, 0.0) + a,
             lambda: near(rng, lobe, far, a) + far + a,
             lambda: near(rng, lobe, (0, 0), ridge) + (0.0, 0.0) + ridge,
-            lambda: near(rng, lobe, mean, covariance(1e-4, 1e-4, 0)) + mean + covariance(1e-4, 1e-4, 0),
+            lambda: near(rng, lobe, mean, covariance(1e-4, 1e-4, 0))
+            + mean
+            + covariance(1e-4, 1e-4, 0),
             lambda: near(rng, lobe, mean, covariance(30, 30, 0)) + mean + covariance(30, 30, 0),
         ],
     )
@@ -353,7 +380,7 @@ def ndf_inputs(lobe, rng, row):
     )
 
 
-# ---------------------------------------------------------------------------------------------------------------
+# -------------------------------------------------------------------------------------------------
 # Projected area, Lambda, BRDF
 
 
@@ -363,7 +390,9 @@ def stretch_squared(w_x, w_y, a):
 
 def area(lobe):
     def formula(w_x, w_y, w_z, mean_x, mean_y, *a):
-        return lobe.projected_area(w_z - mean_x * w_x - mean_y * w_y, mp.sqrt(stretch_squared(w_x, w_y, a)))
+        return lobe.projected_area(
+            w_z - mean_x * w_x - mean_y * w_y, mp.sqrt(stretch_squared(w_x, w_y, a))
+        )
 
     return formula
 
@@ -479,7 +508,7 @@ def brdf_inputs(lobe, rng, row):
     )
 
 
-# ---------------------------------------------------------------------------------------------------------------
+# -------------------------------------------------------------------------------------------------
 # Means over a rectangle
 
 
@@ -502,7 +531,11 @@ def ggx_line_twice(t, q):
 
 def ggx_segment(t, half, q):
     """Mean of 1/(pi (q + t^2)^2) over t +- half."""
-    return (ggx_line(t + half, q) - ggx_line(t - half, q)) / (2 * half) if half else 1 / (mp.pi * (q + t * t) ** 2)
+    return (
+        (ggx_line(t + half, q) - ggx_line(t - half, q)) / (2 * half)
+        if half
+        else 1 / (mp.pi * (q + t * t) ** 2)
+    )
 
 
 def ggx_rectangle(s_x, s_y, half_x, half_y, alpha_x, alpha_y):
@@ -512,7 +545,12 @@ def ggx_rectangle(s_x, s_y, half_x, half_y, alpha_x, alpha_y):
     elif not v:
         mean = ggx_segment(x, u, 1 + y * y)
     else:
-        mass = ggx_box(x + u, y + v) - ggx_box(x - u, y + v) - ggx_box(x + u, y - v) + ggx_box(x - u, y - v)
+        mass = (
+            ggx_box(x + u, y + v)
+            - ggx_box(x - u, y + v)
+            - ggx_box(x + u, y - v)
+            + ggx_box(x - u, y - v)
+        )
         mean = mass / (4 * u * v)
     return mean / (alpha_x * alpha_y)
 
@@ -538,7 +576,12 @@ def rectangle_inputs(lobe, rng, row):
     def around(half=half, alpha=alpha):
         """The lobe's center within a few sizes and widths."""
         spread = min(lobe.radius(rng) / 2, 30)
-        return f32s(*[rng.uniform(-1.5, 1.5) * h + rng.uniform(-1, 1) * spread * a for h, a in zip(half, alpha)])
+        return f32s(
+            *[
+                rng.uniform(-1.5, 1.5) * h + rng.uniform(-1, 1) * spread * a
+                for h, a in zip(half, alpha)
+            ]
+        )
 
     large, tiny, sharp, flat = (1e2, 1e2), f32s(1e-5, 1e-5), f32s(1e-4, 1e-4), (30.0, 30.0)
     return by_kind(
@@ -560,7 +603,7 @@ def rectangle_inputs(lobe, rng, row):
     )
 
 
-# ---------------------------------------------------------------------------------------------------------------
+# -------------------------------------------------------------------------------------------------
 # Mean over a parallelogram
 
 
@@ -603,7 +646,8 @@ def polygon_mean(p, u, v):
 
 
 def zero_area_mean(p, u, v):
-    """The limit of `polygon_mean` as v turns into u: uniform a u + b v, which along the line is a trapezoid."""
+    """The limit of `polygon_mean` as v turns into u: uniform a u + b v, which along the line is a
+    trapezoid."""
     longer = u if dot(u, u) >= dot(v, v) else v
     length = mp.sqrt(dot(longer, longer))
     if not length:
@@ -618,7 +662,8 @@ def zero_area_mean(p, u, v):
 
 def ggx_parallelogram(s_x, s_y, u_x, u_y, v_x, v_y, *a):
     p, u, v = [whiten(x, *a) for x in [(s_x, s_y), (u_x, u_y), (v_x, v_y)]]
-    # Products of f32 are exact at this precision: the raw vectors tell a true zero from a small area.
+    # Products of f32 are exact at this precision: the raw vectors tell a true zero from a small
+    # area.
     mean = polygon_mean if cross((u_x, u_y), (v_x, v_y)) else zero_area_mean
     return mean(p, u, v) / mp.sqrt(a[0] * a[2] - a[1] ** 2)
 
@@ -649,7 +694,8 @@ def sides(rng):
 
 
 def dyadic(rng):
-    """A vector of small integers times a power of two: halves, sums and eighths of it are exact in f32."""
+    """A vector of small integers times a power of two: halves, sums and eighths of it are exact in
+    f32."""
     scale = 2.0 ** rng.randrange(-20, -4)
     x, y = rng.randrange(1, 2048), rng.randrange(-2047, 2048)
     return scale * x, scale * y
@@ -702,12 +748,13 @@ def parallelogram_inputs(rng, row):
     return f32s(*slope) + u + v + a
 
 
-# ---------------------------------------------------------------------------------------------------------------
+# -------------------------------------------------------------------------------------------------
 # GGX convolved with a Gaussian
 
 
 def mixture(s_x, s_y, k_xx, k_xy, k_yy, a_xx, a_xy, a_yy):
-    """t -> e^-t P_beckmann(s; A/t + 2 K), with det(A + 2 t K) and the adjugate as polynomials in t."""
+    """t -> e^-t P_beckmann(s; A/t + 2 K), with det(A + 2 t K) and the adjugate as polynomials in
+    t."""
     det_a, det_k = a_xx * a_yy - a_xy**2, k_xx * k_yy - k_xy**2
     mixed = a_xx * k_yy + a_yy * k_xx - 2 * a_xy * k_xy
     of_a, of_k = quadratic(s_x, s_y, a_yy, -a_xy, a_xx), quadratic(s_x, s_y, k_yy, -k_xy, k_xx)
@@ -722,10 +769,9 @@ def mixture(s_x, s_y, k_xx, k_xy, k_yy, a_xx, a_xy, a_yy):
 def ggx_gaussian(*inputs):
     """Trapezoid rule in ln t.
 
-    The integrand is analytic for |arg t| < pi/2, so step h errs by exp(-pi^2/h), 1e-68 for 1/16. On the left it falls
-    like t^2 below 1/(1 + q), on the right like e^-t. Every other node alone makes the rule of step 1/8, good to 1e-34:
-    the check.
-    """
+    The integrand is analytic for |arg t| < pi/2, so step h errs by exp(-pi^2/h), 1e-68 for 1/16. On
+    the left it falls like t^2 below 1/(1 + q), on the right like e^-t. Every other node alone makes
+    the rule of step 1/8, good to 1e-34: the check."""
     integrand, q = mixture(*inputs)
     low = mp.floor(-mp.log(1 + q)) - 75
     t, factor, sums = mp.exp(low), mp.exp(mpf(1) / 16), [mpf(0), mpf(0)]
@@ -764,7 +810,10 @@ def gaussian_inputs(rng, row):
     def around(k):
         x, y = near(rng, Ggx, (0, 0), a)
         size = rng.uniform(0, 4)
-        return f32s(x + signed(rng, 0.1, 1) * size * math.sqrt(k[0]), y + signed(rng, 0.1, 1) * size * math.sqrt(k[2]))
+        return f32s(
+            x + signed(rng, 0.1, 1) * size * math.sqrt(k[0]),
+            y + signed(rng, 0.1, 1) * size * math.sqrt(k[2]),
+        )
 
     axis, line = (short(log_uniform(rng, 1e-4, 1e2)) ** 2, 0.0, 0.0), rank_one(rng)
     none = (0.0, 0.0, 0.0)
@@ -782,7 +831,7 @@ def gaussian_inputs(rng, row):
     )
 
 
-# ---------------------------------------------------------------------------------------------------------------
+# -------------------------------------------------------------------------------------------------
 # Proxies: the alpha of a GGX that is as high at its center as the filtered one
 
 
@@ -822,7 +871,7 @@ def proxy_inputs(rng, row):
     ][row // 10 % 9]
 
 
-# ---------------------------------------------------------------------------------------------------------------
+# -------------------------------------------------------------------------------------------------
 # Jacobians
 
 
@@ -840,7 +889,11 @@ def jacobian_inputs(rng, row):
         h = by_kind(
             row,
             lambda: from_z(rng, rng.uniform(0.05, 1))[:2],
-            lambda: circle(rng, log_uniform(rng, 1e-6, 1)) if row % 2 else from_z(rng, log_uniform(rng, 1e-3, 1))[:2],
+            lambda: (
+                circle(rng, log_uniform(rng, 1e-6, 1))
+                if row % 2
+                else from_z(rng, log_uniform(rng, 1e-3, 1))[:2]
+            ),
             [
                 lambda: circle(rng, 1e-6),
                 lambda: from_z(rng, log_uniform(rng, 1e-3, 1e-2))[:2],
@@ -895,7 +948,9 @@ def half_slope_inputs(rng, row):
             lambda: eye + eye + curvature(),
             lambda: eye + (-eye[0], -eye[1], eye[2]) + curvature(),
             lambda: point(1e-3, 1e-2) + point(1e-3, 1e-2) + flat,
-            lambda: (0.0, 0.0, f32(log_uniform(rng, 0.1, 1e6))) + point(0.1, 1e6) + (ball, 0.0, ball),
+            lambda: (0.0, 0.0, f32(log_uniform(rng, 0.1, 1e6)))
+            + point(0.1, 1e6)
+            + (ball, 0.0, ball),
             lambda: grazing() + point(0.1, 1e2) + curvature(1e-2, 1),
             lambda: grazing() + grazing() + curvature(1e-2, 1),
         ],
@@ -909,10 +964,12 @@ def chermain(sigma_x, sigma_y, rho, sigma_o):
 
 def chermain_inputs(rng, row):
     rho = 0.0 if row % 10 == 9 else f32(correlation(rng))
-    return f32s(log_uniform(rng, 1e-4, 30), log_uniform(rng, 1e-4, 30), rho, log_uniform(rng, 1e-3, 10))
+    return f32s(
+        log_uniform(rng, 1e-4, 30), log_uniform(rng, 1e-4, 30), rho, log_uniform(rng, 1e-3, 10)
+    )
 
 
-# ---------------------------------------------------------------------------------------------------------------
+# -------------------------------------------------------------------------------------------------
 # The tables
 
 
@@ -944,7 +1001,10 @@ class Table:
 
     def csv(self, rows):
         lines = [",".join(self.inputs + self.outputs)]
-        lines += [",".join([repr(x) for x in inputs] + [show(x) for x in outputs]) for inputs, outputs in rows]
+        lines += [
+            ",".join([repr(x) for x in inputs] + [show(x) for x in outputs])
+            for inputs, outputs in rows
+        ]
         return "\n".join(lines) + "\n"
 
 
@@ -966,10 +1026,16 @@ def lobe_tables(lobe):
 
     rectangle = {Beckmann: beckmann_rectangle, Ggx: ggx_rectangle}[lobe]
     tables = {
-        "p22": Table(f"slope_x slope_y {MEAN} {MATRIX}", bound(p22_inputs), p22(lobe), keep=lobe.keep),
+        "p22": Table(
+            f"slope_x slope_y {MEAN} {MATRIX}", bound(p22_inputs), p22(lobe), keep=lobe.keep
+        ),
         "d": Table(f"m_x m_y m_z {MATRIX}", bound(ndf_inputs), ndf(lobe), keep=lobe.keep),
-        "projected_area": Table(f"w_x w_y w_z {MEAN} {MATRIX}", bound(area_inputs), area(lobe), keep=lobe.keep),
-        "lambda": Table(f"w_x w_y w_z {MATRIX}", bound(masking_inputs), masking(lobe), keep=lobe.keep),
+        "projected_area": Table(
+            f"w_x w_y w_z {MEAN} {MATRIX}", bound(area_inputs), area(lobe), keep=lobe.keep
+        ),
+        "lambda": Table(
+            f"w_x w_y w_z {MATRIX}", bound(masking_inputs), masking(lobe), keep=lobe.keep
+        ),
         "brdf": Table(
             f"wo_x wo_y wo_z wi_x wi_y wi_z {MEAN} {MATRIX}",
             bound(brdf_inputs),
@@ -977,7 +1043,10 @@ def lobe_tables(lobe):
             keep=lambda expected, row: lobe.keep(expected, row) and (expected > 0 or rare(row)),
         ),
         "rectangle_mean": Table(
-            "slope_x slope_y half_x half_y alpha_x alpha_y", bound(rectangle_inputs), rectangle, keep=lobe.keep
+            "slope_x slope_y half_x half_y alpha_x alpha_y",
+            bound(rectangle_inputs),
+            rectangle,
+            keep=lobe.keep,
         ),
     }
     return {f"{lobe.name}_{stem}": table for stem, table in tables.items()}
@@ -989,26 +1058,39 @@ TABLES = {
     "ggx_parallelogram_mean": Table(
         f"slope_x slope_y u_x u_y v_x v_y {MATRIX}", parallelogram_inputs, ggx_parallelogram
     ),
-    "ggx_gaussian_mean": Integral(f"slope_x slope_y k_xx k_xy k_yy {MATRIX}", gaussian_inputs, ggx_gaussian, rows=200),
+    "ggx_gaussian_mean": Integral(
+        f"slope_x slope_y k_xx k_xy k_yy {MATRIX}", gaussian_inputs, ggx_gaussian, rows=200
+    ),
     "ggx_proxy_rectangle_alpha": Table("alpha width", proxy_inputs, proxy_rectangle, rows=300),
     "ggx_proxy_gaussian_alpha": Table("alpha sigma", proxy_inputs, proxy_gaussian, rows=300),
     "jacobians": Table(
         "h_x h_y",
         jacobian_inputs,
         jacobians,
-        outputs=" ".join(matrix_entries(n) for n in ("sphere_to_slope", "sphere_to_projected", "projected_to_slope")),
+        outputs=" ".join(
+            matrix_entries(n)
+            for n in ("sphere_to_slope", "sphere_to_projected", "projected_to_slope")
+        ),
         rows=200,
     ),
     "half_slope_jacobian": Table(
-        "e_x e_y e_z l_x l_y l_z b_11 b_12 b_22", half_slope_inputs, half_slope, outputs=matrix_entries("m"), rows=200
+        "e_x e_y e_z l_x l_y l_z b_11 b_12 b_22",
+        half_slope_inputs,
+        half_slope,
+        outputs=matrix_entries("m"),
+        rows=200,
     ),
     "chermain_m": Table(
-        "sigma_x sigma_y rho sigma_o", chermain_inputs, chermain, outputs=matrix_entries("m"), rows=100
+        "sigma_x sigma_y rho sigma_o",
+        chermain_inputs,
+        chermain,
+        outputs=matrix_entries("m"),
+        rows=100,
     ),
 }
 
 
-# ---------------------------------------------------------------------------------------------------------------
+# -------------------------------------------------------------------------------------------------
 # Self-checks. The quadratures run in f64 (mpmath.fp) on densities written down again, in floats.
 
 
@@ -1049,7 +1131,9 @@ def plane(f, split_x=0, split_y=0):
 
 
 def check_p22(lobe, tables):
-    rows = pick(tables[f"{lobe.name}_p22"], lambda x, y, mx, my, *a: moderate(*a) and short_of(5, mx, my), 2)
+    rows = pick(
+        tables[f"{lobe.name}_p22"], lambda x, y, mx, my, *a: moderate(*a) and short_of(5, mx, my), 2
+    )
 
     def mass(mean, a):
         # The table's formula itself, at f64.
@@ -1121,10 +1205,17 @@ def back_faces(lobe, v):
     v = abs(v)
     if lobe is Beckmann:
         width = 1 / (1 + v)
-        body = mp.quad(lambda y: y * mp.exp(-(width * y) * (2 * v + width * y)), [0, 1, 5, 20, mp.inf])
+        body = mp.quad(
+            lambda y: y * mp.exp(-(width * y) * (2 * v + width * y)), [0, 1, 5, 20, mp.inf]
+        )
         return mp.exp(-v * v) * width**2 * body / mp.sqrt(mp.pi)
     width = 1 + v
-    return mp.quad(lambda y: y / (2 * (width**-2 + (v / width + y) ** 2) ** mpf(1.5)), [0, 1, 10, mp.inf]) / width
+    return (
+        mp.quad(
+            lambda y: y / (2 * (width**-2 + (v / width + y) ** 2) ** mpf(1.5)), [0, 1, 10, mp.inf]
+        )
+        / width
+    )
 
 
 def sigma_by_parts(lobe, w, mean, a):
@@ -1137,7 +1228,9 @@ def sigma_by_parts(lobe, w, mean, a):
 def check_area_axis(lobe, tables):
     rows = tables[f"{lobe.name}_projected_area"][::9]
     with mp.workdps(40):
-        return worst(error(sigma_by_parts(lobe, r[:3], r[3:5], r[5:])[0], out[0]) for r, out in rows)
+        return worst(
+            error(sigma_by_parts(lobe, r[:3], r[3:5], r[5:])[0], out[0]) for r, out in rows
+        )
 
 
 def check_lambda_axis(lobe, tables):
@@ -1151,11 +1244,14 @@ def check_lambda_axis(lobe, tables):
 
 
 def check_brdf_parts(lobe, tables):
-    """D G2 / (4 c_o c_i) with G2 = 1/(1 + Lambda_o + Lambda_i), Lambda by quadrature, D by whitened slopes."""
+    """D G2 / (4 c_o c_i) with G2 = 1/(1 + Lambda_o + Lambda_i), Lambda by quadrature, D by whitened
+    slopes."""
 
     def product(row):
         o, i, mean, a = list(map(mpf, row[:3])), list(map(mpf, row[3:6])), row[6:8], row[8:]
-        (sigma_o, c_o), (sigma_i, c_i) = sigma_by_parts(lobe, o, mean, a), sigma_by_parts(lobe, i, mean, a)
+        (sigma_o, c_o), (sigma_i, c_i) = sigma_by_parts(lobe, o, mean, a), sigma_by_parts(
+            lobe, i, mean, a
+        )
         h = normalized([x + y for x, y in zip(o, i)])
         w = whiten((-h[0] / h[2] - mean[0], -h[1] / h[2] - mean[1]), *map(mpf, a))
         d = lobe.slope_pdf(dot(w, w), mp.sqrt(mpf(a[0]) * a[2] - mpf(a[1]) ** 2)) / h[2] ** 4
@@ -1174,7 +1270,8 @@ def check_reciprocity(lobe, tables):
 
 
 def projected(lobe, w, mean, a, sign):
-    """Integral of max(0, sign w.(-s, 1)) P22(s) over s = x u + y v, u along w_xy: the kink is a line of constant x."""
+    """Integral of max(0, sign w.(-s, 1)) P22(s) over s = x u + y v, u along w_xy: the kink is a
+    line of constant x."""
     length = math.hypot(w[0], w[1])
     u = w[0] / length, w[1] / length
     kink, center = w[2] / length, (dot(u, mean), cross(u, mean))
@@ -1201,7 +1298,9 @@ def check_area(lobe, tables):
 def check_lambda(lobe, tables):
     """Lambda c is the projected area of the back faces."""
     rows = pick(tables[f"{lobe.name}_lambda"], lambda x, y, z, *a: moderate(*a) and 0.02 < z < 0.9)
-    return worst(error(projected(lobe, row[:3], (0, 0), row[3:], -1) / row[2], out[0]) for row, out in rows)
+    return worst(
+        error(projected(lobe, row[:3], (0, 0), row[3:], -1) / row[2], out[0]) for row, out in rows
+    )
 
 
 def box_mean(lobe, s, u, v, a):
@@ -1212,10 +1311,17 @@ def box_mean(lobe, s, u, v, a):
 
 def check_rectangle(lobe, tables):
     def fits(s_x, s_y, h_x, h_y, a_x, a_y):
-        return moderate(a_x**2, 0, a_y**2, high=50) and short_of(3, h_x, h_y) and short_of(10, s_x, s_y)
+        return (
+            moderate(a_x**2, 0, a_y**2, high=50)
+            and short_of(3, h_x, h_y)
+            and short_of(10, s_x, s_y)
+        )
 
     rows = pick(tables[f"{lobe.name}_rectangle_mean"], fits, 6)
-    means = [box_mean(lobe, r[:2], (2 * r[2], 0), (0, 2 * r[3]), (r[4] ** 2, 0, r[5] ** 2)) for r, _ in rows]
+    means = [
+        box_mean(lobe, r[:2], (2 * r[2], 0), (0, 2 * r[3]), (r[4] ** 2, 0, r[5] ** 2))
+        for r, _ in rows
+    ]
     return worst(error(mean, out[0]) for mean, (_, out) in zip(means, rows))
 
 
@@ -1223,7 +1329,8 @@ def check_rectangle_exact(lobe, tables):
     """By another way: GGX (all rows) as a parallelogram, Beckmann by quadrature along each axis."""
 
     def tail(start, end):
-        """Integral of exp(-y^2), 0 <= start < end, in units of its height and width at the start."""
+        """Integral of exp(-y^2), 0 <= start < end, in units of its height and width at the
+        start."""
         width = 1 / (1 + start)
         points = [k * width for k in (0, 1, 5, 20) if k * width < end - start] + [end - start]
         return mp.exp(-start * start) * mp.quad(lambda y: mp.exp(-y * (2 * start + y)), points)
@@ -1236,7 +1343,10 @@ def check_rectangle_exact(lobe, tables):
 
     def other(s_x, s_y, h_x, h_y, a_x, a_y):
         if lobe is Ggx:
-            return stable(ggx_parallelogram, (s_x, s_y, 2 * h_x, 0, 0, 2 * h_y, mpf(a_x) ** 2, 0, mpf(a_y) ** 2))[0]
+            return stable(
+                ggx_parallelogram,
+                (s_x, s_y, 2 * h_x, 0, 0, 2 * h_y, mpf(a_x) ** 2, 0, mpf(a_y) ** 2),
+            )[0]
         means = [interval(mpf(s) / a, mpf(h) / a) for s, h, a in ((s_x, h_x, a_x), (s_y, h_y, a_y))]
         return means[0] * means[1] / (mp.pi * a_x * a_y)
 
@@ -1252,7 +1362,9 @@ def check_parallelogram(_, tables):
     rows = tables["ggx_parallelogram_mean"]
     with_area = pick(rows, lambda *row: small(row) and cross(row[2:4], row[4:6]) != 0, 6)
     without = pick(rows, lambda *row: small(row) and cross(row[2:4], row[4:6]) == 0, 6)
-    return worst(error(box_mean(Ggx, r[:2], r[2:4], r[4:6], r[6:]), out[0]) for r, out in with_area + without)
+    return worst(
+        error(box_mean(Ggx, r[:2], r[2:4], r[4:6], r[6:]), out[0]) for r, out in with_area + without
+    )
 
 
 def check_parallelogram_lines(_, tables):
@@ -1270,13 +1382,16 @@ def check_parallelogram_lines(_, tables):
             x = along(p, y, v)
             return ggx_segment(dot(x, e), length / 2, 1 + cross(x, e) ** 2)
 
-        # The integrand bends where a line passes the center or an end comes close to it, over a whitened length of 1.
+        # The integrand bends where a line passes the center or an end comes close to it, over a
+        # whitened length of 1.
         half = mpf(1) / 2
         ends = [along(p, s, u) for s in (-half, half)]
         places = [-dot(x, v) / dot(v, v) for x in ends] + [-cross(p, e) / (cross(v, e) or 1)]
         widths = [1 / mp.sqrt(dot(v, v))] * 2 + [1 / (abs(cross(v, e)) or 1)]
         steps = (-100, -10, -3, -1, 0, 1, 3, 10, 100)
-        cuts = sorted(x + k * w for x, w in zip(places, widths) for k in steps if abs(x + k * w) < half)
+        cuts = sorted(
+            x + k * w for x, w in zip(places, widths) for k in steps if abs(x + k * w) < half
+        )
         return mp.quad(line, [-half, *cuts, half]) / mp.sqrt(a[0] * a[2] - a[1] ** 2)
 
     rows = [row for row in tables["ggx_parallelogram_mean"][::7] if cross(row[0][2:4], row[0][4:6])]
@@ -1303,7 +1418,12 @@ def check_gaussian(_, tables):
     """Average of P22(s - y) over the Gaussian y = R z, R R^T = K, for regular K."""
 
     def fits(s_x, s_y, k_xx, k_xy, k_yy, *a):
-        return moderate(*a, high=20) and short_of(20, s_x, s_y) and k_xx * k_yy > k_xy * k_xy and max(k_xx, k_yy) < 2
+        return (
+            moderate(*a, high=20)
+            and short_of(20, s_x, s_y)
+            and k_xx * k_yy > k_xy * k_xy
+            and max(k_xx, k_yy) < 2
+        )
 
     def convolution(s_x, s_y, k_xx, k_xy, k_yy, *a):
         r_xx, r_yx, r_yy = cholesky(k_xx, k_xy, k_yy)
@@ -1315,7 +1435,9 @@ def check_gaussian(_, tables):
         span = [-9, -4, 0, 4, 9]
         return fp.quad(integrand, span, span)
 
-    return worst(error(convolution(*row), out[0]) for row, out in pick(tables["ggx_gaussian_mean"], fits, 6))
+    return worst(
+        error(convolution(*row), out[0]) for row, out in pick(tables["ggx_gaussian_mean"], fits, 6)
+    )
 
 
 def check_gaussian_line(_, tables):
@@ -1335,7 +1457,10 @@ def check_gaussian_line(_, tables):
             return mp.npdf(z) * Ggx.slope_pdf(dot(x, x), mp.sqrt(a[0] * a[2] - a[1] ** 2))
 
         cuts = [closest + sign * width * k for k in (0, 1, 4, 20, 100, 1e4) for sign in (-1, 1)]
-        return mp.quad(integrand, sorted({mpf(x) for x in [-20, -8, 0, 8, 20] + [x for x in cuts if abs(x) < 20]}))
+        return mp.quad(
+            integrand,
+            sorted({mpf(x) for x in [-20, -8, 0, 8, 20] + [x for x in cuts if abs(x) < 20]}),
+        )
 
     rows = pick(tables["ggx_gaussian_mean"], lambda *row: row[2] * row[4] == row[3] ** 2, 200)
     with mp.workdps(40):
@@ -1346,7 +1471,13 @@ def check_mixture(_, tables):
     def adaptive(row, expected):
         with mp.workdps(25):
             integrand, q = mixture(*[mpf(x) for x in row])
-            ends = sorted([0, *[k / (1 + q) for k in (1, 10, 100)], *[mpf(10) ** k for k in (-3, -2, -1, 0, 1, 2)]])
+            ends = sorted(
+                [
+                    0,
+                    *[k / (1 + q) for k in (1, 10, 100)],
+                    *[mpf(10) ** k for k in (-3, -2, -1, 0, 1, 2)],
+                ]
+            )
             # In units of the result, as mp.quad stops at an absolute error.
             return mp.quad(lambda t: integrand(t) / expected, ends)
 
@@ -1354,14 +1485,18 @@ def check_mixture(_, tables):
 
 
 def check_peak(_, tables):
-    """At the center, lobe and kernel isotropic: (1 - x e^x E1(x)) / (pi k), k = 2 sigma^2, x = alpha^2/k."""
+    """At the center, lobe and kernel isotropic: (1 - x e^x E1(x)) / (pi k), k = 2 sigma^2, x =
+    alpha^2/k."""
 
     def peak(a, k):
         x = mpf(a) / k
         return (1 - x * mp.exp(x) * mp.e1(x)) / (mp.pi * k)
 
     cases = [(1.0, 0.5), (0.25, 8.0), (16.0, 0.125), (2.0**-20, 4.0)]
-    return worst(error(ggx_gaussian(*map(mpf, (0, 0, k / 2, 0, k / 2, a, 0, a))), peak(a, k)) for a, k in cases)
+    return worst(
+        error(ggx_gaussian(*map(mpf, (0, 0, k / 2, 0, k / 2, a, 0, a))), peak(a, k))
+        for a, k in cases
+    )
 
 
 def proxy_peaks(tables, stem, mean, step):
@@ -1407,7 +1542,10 @@ def check_proxy_radius(_, tables):
         ratio = 2 * (sigma / alpha) ** 2
         width = 1 / (1 + ratio)
         cuts = sorted({*[width * mpf(10) ** k for k in range(-2, 10)], mpf(1), mpf(5), mpf(20)})
-        body = mp.quad(lambda u: mp.exp(-u) / (1 + ratio * u) ** 2 / width, [0, *[x for x in cuts if x < 90], 90])
+        body = mp.quad(
+            lambda u: mp.exp(-u) / (1 + ratio * u) ** 2 / width,
+            [0, *[x for x in cuts if x < 90], 90],
+        )
         return body * width / (mp.pi * alpha**2)
 
     return proxy_peaks(tables, "ggx_proxy_gaussian_alpha", mean, 3)
@@ -1418,7 +1556,8 @@ def matrix_error(numeric, exact):
 
 
 def jacobians_numeric(x, y):
-    """Derivatives of the maps themselves, the sphere by exponential map along its two frame vectors."""
+    """Derivatives of the maps themselves, the sphere by exponential map along its two frame
+    vectors."""
     z, s = mp.sqrt(1 - x * x - y * y), mp.sqrt(x * x + y * y)
     frame = [(x * z / s, y * z / s, -s), (-y / s, x / s, mpf(0))]
 
@@ -1440,7 +1579,8 @@ def jacobians_numeric(x, y):
 
 
 def half_slope_numeric(e_x, e_y, e_z, l_x, l_y, l_z, b_11, b_12, b_22):
-    """The plane point of h over the surface z = -v.(B v)/2, in its frame: normal n(v) and tangents k - (B v)_k n."""
+    """The plane point of h over the surface z = -v.(B v)/2, in its frame: normal n(v) and tangents
+    k - (B v)_k n."""
 
     def plane_point(axis, k):
         def coordinate(e):
@@ -1503,7 +1643,12 @@ CHECKS = [
     ("Gaussian's proxy against the mixture", check_proxy_mixture, GGX, 1e-15),
     ("Gaussian's proxy over the radius", check_proxy_radius, GGX, 1e-15),
     ("Jacobians against derivatives", check_numeric("jacobians", jacobians_numeric), GGX, 1e-15),
-    ("half-slope Jacobian against derivatives", check_numeric("half_slope_jacobian", half_slope_numeric), GGX, 1e-15),
+    (
+        "half-slope Jacobian against derivatives",
+        check_numeric("half_slope_jacobian", half_slope_numeric),
+        GGX,
+        1e-15,
+    ),
     ("Chermain's M against the covariance", check_chermain, GGX, 1e-15),
 ]
 
@@ -1518,14 +1663,21 @@ def self_check(tables):
             failures += found > budget
             title = f"{name}, {lobe.name}" if len(lobes) > 1 else name
             seconds, verdict = time.perf_counter() - start, "FAIL" if found > budget else "ok"
-            print(f"{verdict:4} {title:50} {count:4} rows  {found:.1e} <= {budget:.0e}  {seconds:5.1f} s")
+            print(
+                f"{verdict:4} {title:50} {count:4} rows  "
+                f"{found:.1e} <= {budget:.0e}  {seconds:5.1f} s"
+            )
     return failures
 
 
 def main():
     parser = argparse.ArgumentParser(description="Write the golden tables.")
-    parser.add_argument("--out", type=Path, default=Path(__file__).parent, help="folder of the tables")
-    parser.add_argument("--check", action="store_true", help="compare with the files there instead of writing")
+    parser.add_argument(
+        "--out", type=Path, default=Path(__file__).parent, help="folder of the tables"
+    )
+    parser.add_argument(
+        "--check", action="store_true", help="compare with the files there instead of writing"
+    )
     arguments = parser.parse_args()
     tables, failures = {}, 0
     for stem, table in TABLES.items():

@@ -1,5 +1,5 @@
-//! The algebra of layers against sets of slopes that are added, scaled, leant, stretched and turned one by one; and what
-//! a pixel adds to a map.
+//! The algebra of layers against sets of slopes that are added, scaled, leant, stretched and turned
+//! one by one; and what a pixel adds to a map.
 
 use crate::common::arbitrary::Source;
 use crate::common::{check, near, near_all};
@@ -147,8 +147,8 @@ fn a_pixel_and_a_map_nest_as_kernels_and_count_detail_once() {
         let parts = [base.matrix(), resolved * 2.0, pixel.covariance() * 2.0];
         let sum = [0, 1, 2].map(|k| parts.iter().map(|p| p.entries()[k]).sum::<f64>());
         near_all(&once, &sum, 1e-14, &(du, dv, h))?;
-        // The other way to count once, the finest level against the moving mean, agrees where the two motions are
-        // independent; against each other they know of each other.
+        // The other way to count once, the finest level against the moving mean, agrees where the
+        // two motions are independent; against each other they know of each other.
         let against = Kernel::of(&(h - Footprint::from_slopes(du, dv)), PixelFilter::BOX)
             .covariance()
             .entries();

@@ -1,4 +1,5 @@
-//! The binomial draw: its mean and variance on both sides of every branch, its order, its continuity (law Z8).
+//! The binomial draw: its mean and variance on both sides of every branch, its order, its
+//! continuity (law Z8).
 #![cfg(feature = "glint")]
 #![allow(clippy::cast_sign_loss, reason = "counts are not negative")]
 
@@ -6,8 +7,8 @@ use crate::common::{check, ensure, near};
 use lobe::material::glint::Binomial;
 use statrs::distribution::{Binomial as Exact, DiscreteCDF};
 
-/// Mean and variance of a draw over the whole range of its uniform number, by strata and by midpoints; the thousandths at
-/// both ends, where counts are rarest, more finely.
+/// Mean and variance of a draw over the whole range of its uniform number, by strata and by
+/// midpoints; the thousandths at both ends, where counts are rarest, more finely.
 fn moments(draw: impl Fn(f64) -> f64) -> (f64, f64) {
     const COUNT: u32 = 40_000;
     let mut sums = [0.0; 3];
@@ -68,9 +69,9 @@ fn f32_has_the_same_mean() {
     }
 }
 
-/// Where the tail is rarest, rounding may not make much more of it than there is: a count of 24 for one of 5 is a
-/// firefly. Differences from 1 are off by 1e-7, a thousand times the rarest tail, and each success is ten times as rare as
-/// the one before: three more.
+/// Where the tail is rarest, rounding may not make much more of it than there is: a count of 24 for
+/// one of 5 is a firefly. Differences from 1 are off by 1e-7, a thousand times the rarest tail, and
+/// each success is ten times as rare as the one before: three more.
 #[test]
 fn the_rarest_tails_are_those_of_f64() {
     for n in TRIALS {
@@ -123,7 +124,8 @@ fn on_the_lattice_it_is_the_quantile() {
     }
 }
 
-/// The normal branch follows the distribution's skewness: quantiles within three quarters of a count of the exact ones.
+/// The normal branch follows the distribution's skewness: quantiles within three quarters of a
+/// count of the exact ones.
 #[test]
 fn above_eight_quantiles_are_near_the_exact_ones() {
     for (trials, p) in [(20_u64, 0.45), (100, 0.1), (10_000, 9e-4), (1_000_000, 2e-5)] {
@@ -153,7 +155,8 @@ fn it_falls_with_the_tail_and_rises_with_probability_and_lies_in_range() {
         ensure(one.draw(low) >= one.draw(high) - noise, "rises with the tail", &inputs)?;
         ensure((0.0..=trials).contains(&one.draw(low)), "out of range", &inputs)?;
         let rarer = Binomial::new(n, p * source.uniform(0.5, 1.0));
-        // Both distributions are ordered; where they blend, weights shift by less than the count does.
+        // Both distributions are ordered; where they blend, weights shift by less than the count
+        // does.
         ensure(rarer.draw(low) <= one.draw(low) + 0.35 + noise, "falls with p", &inputs)
     });
 }
@@ -166,7 +169,8 @@ fn it_is_continuous_in_the_probability() {
         let tail = source.uniform(0.001, 0.999);
         let step = 1e-9;
         let (here, there) = (Binomial::new(n, p), Binomial::new(n, p * (1.0 + step)));
-        // Between neighbors of the lattice, a tenth apart, a count changes by a few deviations at most.
+        // Between neighbors of the lattice, a tenth apart, a count changes by a few deviations at
+        // most.
         let mean = n * p;
         let slope = 40.0 * (1.0 + mean + (n - mean).abs().min(mean));
         near(there.draw(tail), here.draw(tail), 1e3 * step * slope, &(n, p, tail))

@@ -1,4 +1,5 @@
-//! Cells of nested grids: one identity for each place, and random numbers that are (laws Z3, Z12; the hash at every level).
+//! Cells of nested grids: one identity for each place, and random numbers that are (laws Z3, Z12;
+//! the hash at every level).
 #![cfg(feature = "glint")]
 #![allow(clippy::cast_sign_loss, reason = "places of an array are not negative")]
 #![allow(clippy::needless_range_loop, reason = "channels are a column of the cells")]
@@ -20,7 +21,8 @@ fn the_same_place_has_the_same_numbers_on_every_level() {
     });
 }
 
-/// No two centers of a level share their numbers, nor two of different levels that are different places.
+/// No two centers of a level share their numbers, nor two of different levels that are different
+/// places.
 #[test]
 fn different_places_have_different_numbers() {
     for exponent in LEVELS {
@@ -65,7 +67,8 @@ fn channels(cell: Cell) -> [f64; CHANNELS] {
 
 const CHANNELS: usize = 9;
 
-/// A square of 128 x 128 cells away from the origin and one around it: every channel at each of them.
+/// A square of 128 x 128 cells away from the origin and one around it: every channel at each of
+/// them.
 fn square(level: i32, corner: [i32; 2]) -> Vec<[f64; CHANNELS]> {
     let cells = (0..128)
         .flat_map(|y| (0..128).map(move |x| Cell::at([corner[0] + x, corner[1] + y], level, 0)));

@@ -1,4 +1,5 @@
-//! The measured errors that the comments in src/scalar state, in f32, against correctly rounded f64.
+//! The measured errors that the comments in src/scalar state, in f32, against correctly rounded
+//! f64.
 //!
 //! One float in 31, from end to end: a prime, so that no pattern of bits is left out.
 

@@ -149,7 +149,8 @@ fn messages_show_the_value_and_the_range() {
     }
 }
 
-/// Fourth powers of what is accepted are still f32; beyond, nothing is promised and nothing accepted.
+/// Fourth powers of what is accepted are still f32; beyond, nothing is promised and nothing
+/// accepted.
 #[test]
 fn magnitudes_end_at_a_billion() {
     fn ends<R: Real>() {
@@ -229,7 +230,8 @@ fn alphas_and_angle_come_back() {
             "a half turn",
             &inputs,
         )?;
-        // The angle of an almost round lobe is as uncertain as rounding over the difference of squares.
+        // The angle of an almost round lobe is as uncertain as rounding over the difference of
+        // squares.
         let contrast = (major - minor) * (major + minor) / (major * major);
         let axis = if x >= y { angle } else { angle + FRAC_PI_2 };
         let off = (back.angle - axis).sin().abs();

@@ -1,5 +1,5 @@
-//! Dictionaries of marginals: their integrals, nesting, bias and variance, and how they are made (laws C1, C2, and the figures of
-//! the specification).
+//! Dictionaries of marginals: their integrals, nesting, bias and variance, and how they are made
+//! (laws C1, C2, and the figures of the specification).
 #![cfg(feature = "glint")]
 
 use crate::common::marginals::{all, integral, small};
@@ -29,7 +29,8 @@ fn every_marginal_is_a_density() {
     }
 }
 
-/// Law C2: level L has the first lobes of all that come after it: the same table, whatever the last level is.
+/// Law C2: level L has the first lobes of all that come after it: the same table, whatever the last
+/// level is.
 #[test]
 fn levels_are_nested() {
     let dictionary = small(LobeMeans::Stratified);
@@ -45,15 +46,16 @@ fn levels_are_nested() {
             let next = dictionary.marginal(i, level + 1);
             for k in 0..=64 {
                 let x = f64::from(k) / 16.0;
-                // Half of it is never more than the next; but tables are normalized each by itself: a lobe that reaches past
-                // the end, or is cut by nodes, has another mass.
+                // Half of it is never more than the next; but tables are normalized each by itself:
+                // a lobe that reaches past the end, or is cut by nodes, has another mass.
                 assert!(2.0 * next.density(x) >= 0.97 * marginal.density(x), "{i} {level} {x}");
             }
         }
     }
 }
 
-/// The first level is one lobe and its mirror, of the width that was asked for; the second level less half of that is another.
+/// The first level is one lobe and its mirror, of the width that was asked for; the second level
+/// less half of that is another.
 #[test]
 fn levels_are_sums_of_lobes() {
     let dictionary = small(LobeMeans::Stratified);
@@ -83,7 +85,8 @@ fn levels_are_sums_of_lobes() {
                 let mean = mean / mass;
                 for k in 0..=64 {
                     let x = step * f64::from(k);
-                    // Of lobes of 0.9 of an interval sums over nodes err by 2 %, of which means take their part.
+                    // Of lobes of 0.9 of an interval sums over nodes err by 2 %, of which means
+                    // take their part.
                     let want = pair(x, mean);
                     assert!(
                         (of(x) - want).abs() < 0.05 * pair(mean, mean),
@@ -101,7 +104,8 @@ fn levels_are_sums_of_lobes() {
     assert!(means.windows(2).all(|pair| pair[0] < pair[1]), "two lobes in one place");
 }
 
-/// The mean over marginals against the smooth lobe, with the figures stated: root mean square within two deviations.
+/// The mean over marginals against the smooth lobe, with the figures stated: root mean square
+/// within two deviations.
 #[test]
 fn the_mean_of_all_marginals_is_smooth() {
     let made = |means: LobeMeans| {
@@ -142,7 +146,8 @@ fn the_variance_is_that_of_the_whole() {
             .sum();
         // Nodes alone lack what the lines between them have.
         let variance = sum / 192.0 + 1.0 / (16.0 * 16.0 * 6.0);
-        // Cut at 4 deviations: 8 times the normal density there less. Independent lobes vary: six million of them, in pairs.
+        // Cut at 4 deviations: 8 times the normal density there less. Independent lobes vary: six
+        // million of them, in pairs.
         let want = 1.0 + excess - 8.0 * 1.3383e-4;
         println!("{means:?}: {variance}");
         let spread = if means == LobeMeans::Stratified { 2e-4 } else { 3.0 * 5.7e-4 };
@@ -150,7 +155,8 @@ fn the_variance_is_that_of_the_whole() {
     }
 }
 
-/// A recipe gives equal bits every time, and another seed gives others. `cargo bench` prints how long a dictionary takes.
+/// A recipe gives equal bits every time, and another seed gives others. `cargo bench` prints how
+/// long a dictionary takes.
 #[test]
 fn generation_is_deterministic() {
     let one = Dictionary::<f32>::new(&Recipe::default()).expect("valid");

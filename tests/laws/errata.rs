@@ -1,4 +1,5 @@
-//! Errors of the papers that this crate covers: the printed formula fails against quadrature or differences, ours holds.
+//! Errors of the papers that this crate covers: the printed formula fails against quadrature or
+//! differences, ours holds.
 //!
 //! One test for each, named by paper and equation. Those of LEADR stand in errata_leadr.rs.
 #![cfg(feature = "published")]
@@ -88,7 +89,8 @@ fn kaplanyan_2016_appendix_a_is_no_density_of_normals() {
     assert!(mass(0) < 0.5, "{}", mass(0));
 }
 
-/// Eq. 20 solves Eq. 19 for a square: its first line is garbled, and its last wants w^2/3 or w^2/pi for w^2.
+/// Eq. 20 solves Eq. 19 for a square: its first line is garbled, and its last wants w^2/3 or w^2/pi
+/// for w^2.
 #[test]
 fn kaplanyan_2016_eq_20_ends_in_a_proxy_up_to_three_times_too_dark() {
     let printed_first = |alpha: f64, w: f64| {
@@ -115,7 +117,8 @@ fn kaplanyan_2016_eq_20_ends_in_a_proxy_up_to_three_times_too_dark() {
     off_by(last(large), ours(large), PI);
 }
 
-/// Second moments of a Gaussian of this deviation, in pixels, carried to slopes by the footprint: by quadrature.
+/// Second moments of a Gaussian of this deviation, in pixels, carried to slopes by the footprint:
+/// by quadrature.
 fn carried(footprint: &Footprint<f64>, deviation: f64) -> [f64; 3] {
     let Footprint { u, v } = *footprint;
     [(0, 0), (0, 1), (1, 1)].map(|(i, j)| {
@@ -130,7 +133,8 @@ fn carried(footprint: &Footprint<f64>, deviation: f64) -> [f64; 3] {
     })
 }
 
-/// Read with row vectors, P P^T is the Gram matrix: trace and determinant agree, the kernel is turned.
+/// Read with row vectors, P P^T is the Gram matrix: trace and determinant agree, the kernel is
+/// turned.
 #[test]
 fn kaplanyan_2016_eq_13_with_row_vectors_is_the_gram_matrix() {
     let footprint = Footprint::from_slopes([0.3, 0.1], [-0.05, 0.2]);
@@ -151,7 +155,8 @@ fn kaplanyan_2016_eq_13_with_row_vectors_is_the_gram_matrix() {
     assert!((gram.entries()[0] / want[0] - 1.0).abs() > 0.05, "{:?} {want:?}", gram.entries());
 }
 
-/// Eq. 13 takes deviations of half a pixel, Tokuyoshi full pixels and sigma^2 = 1/4: both at once are a quarter.
+/// Eq. 13 takes deviations of half a pixel, Tokuyoshi full pixels and sigma^2 = 1/4: both at once
+/// are a quarter.
 #[test]
 fn kaplanyan_2016_eq_13_and_tokuyoshis_quarter_are_the_same_quarter() {
     let footprint = Footprint::from_slopes([0.3, 0.1], [-0.05, 0.2]);
@@ -167,7 +172,8 @@ fn kaplanyan_2016_eq_13_and_tokuyoshis_quarter_are_the_same_quarter() {
     }
 }
 
-/// The first term wants h_x^2: with h_z^2 the density does not fall along x, and has no end of mass.
+/// The first term wants h_x^2: with h_z^2 the density does not fall along x, and has no end of
+/// mass.
 #[test]
 fn tokuyoshi_2017_eq_15_wants_h_x_in_its_first_term() {
     let alphas = [0.3, 0.6];
@@ -195,7 +201,8 @@ fn tokuyoshi_2017_eq_15_wants_h_x_in_its_first_term() {
     assert!(printed(up) < 0.01 * ndf.d(up), "{} {}", printed(up), ndf.d(up));
 }
 
-/// Section 4 takes the rectangle's larger width for a bound on the kernel: along the diagonal it is half of it.
+/// Section 4 takes the rectangle's larger width for a bound on the kernel: along the diagonal it is
+/// half of it.
 #[test]
 fn tokuyoshi_2017_section_4_takes_a_width_for_a_bound() {
     let (u, v, filter) = ([0.1, 0.1], [0.0, 0.0], PixelFilter::KAPLANYAN);

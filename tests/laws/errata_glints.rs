@@ -1,13 +1,14 @@
-//! Errors of Zirr & Kaplanyan 2016, Listing 1: the printed line fails, ours holds. (Eq. 6 stands in errata.rs, and what
-//! only their shader has in zirr_kaplanyan.rs.)
+//! Errors of Zirr & Kaplanyan 2016, Listing 1: the printed line fails, ours holds. (Eq. 6 stands in
+//! errata.rs, and what only their shader has in zirr_kaplanyan.rs.)
 #![cfg(feature = "glint")]
 
 use lobe::material::cells::{Cell, Patch};
 use lobe::material::glint::{Binomial, Biscale, Glints, Grid};
 use std::collections::HashSet;
 
-/// Line 12 shifts the half vector by m0 = D_l(0) times a random number: a density, where a width is meant. Rough details
-/// have a small one, and then the borders of all cells' bins nearly fall together.
+/// Line 12 shifts the half vector by m0 = D_l(0) times a random number: a density, where a width is
+/// meant. Rough details have a small one, and then the borders of all cells' bins nearly fall
+/// together.
 #[test]
 fn zirr_2016_listing_1_line_12_shifts_bins_by_a_density() {
     let alpha = 1.5;
@@ -24,8 +25,8 @@ fn zirr_2016_listing_1_line_12_shifts_bins_by_a_density() {
     assert!((ours as f64 - 200.0).abs() < 60.0, "{ours} of 1000 cells have a border there");
 }
 
-/// Lines 16 and 18 take the same random number for a cell's size and for its count: large cells then always have many
-/// reflecting details, and the mean is not P: here 8 % below it.
+/// Lines 16 and 18 take the same random number for a cell's size and for its count: large cells
+/// then always have many reflecting details, and the mean is not P: here 8 % below it.
 #[test]
 fn zirr_2016_listing_1_draws_size_and_count_of_one_number() {
     let (n, p, deviation) = (3.0, 0.05, 0.5);
@@ -47,7 +48,8 @@ fn zirr_2016_listing_1_draws_size_and_count_of_one_number() {
     assert!((printed - 0.92).abs() < 0.02, "{printed}");
 }
 
-/// Line 24 adds all cells with weights that sum to the pixel's length in cells; the text divides by them.
+/// Line 24 adds all cells with weights that sum to the pixel's length in cells; the text divides by
+/// them.
 #[test]
 fn zirr_2016_listing_1_line_24_misses_the_sum_of_weights() {
     for length in [1.0_f64, 4.0, 16.0] {
@@ -55,7 +57,8 @@ fn zirr_2016_listing_1_line_24_misses_the_sum_of_weights() {
         let mut ours = 0.0;
         Grid::new(&patch, 1e-9).visit(|cell| ours += cell.share);
         assert!((ours - 1.0).abs() < 1e-12);
-        // Bilinear weights of cells of size 1, as printed: of each column 1, but for the overlap at both ends.
+        // Bilinear weights of cells of size 1, as printed: of each column 1, but for the overlap at
+        // both ends.
         let half = 0.5 * (length - 1.0);
         let (begin, end) = (0.4 - half, 0.4 + half);
         let columns = (-20..=20).map(f64::from);
@@ -71,7 +74,8 @@ fn zirr_2016_listing_1_line_24_misses_the_sum_of_weights() {
     assert!((whole - 1.0).abs() < 0.01, "{whole}");
 }
 
-/// Section 4.1 shifts each index by its own trailing zeros: three of four cells around the origin are copies of others.
+/// Section 4.1 shifts each index by its own trailing zeros: three of four cells around the origin
+/// are copies of others.
 #[test]
 fn zirr_2016_section_4_1_repeats_cells() {
     let shifted = |i: i32| if i == 0 { 0 } else { i >> i.trailing_zeros() };

@@ -1,4 +1,5 @@
-//! Errors of LEADR's supplement (Dupuy et al. 2013): the printed formula fails, ours holds. One test for each.
+//! Errors of LEADR's supplement (Dupuy et al. 2013): the printed formula fails, ours holds. One
+//! test for each.
 #![cfg(all(feature = "published", feature = "leadr"))]
 
 use crate::common::quadrature::adaptive;
@@ -54,7 +55,8 @@ fn at_cotangent(v: f64) -> [f64; 3] {
     [sin, 0.0, v * sin]
 }
 
-/// The listing clamps nu to 1.599, where the fit is -5.8e-5: below 0, where the text says 0 and the truth is above it.
+/// The listing clamps nu to 1.599, where the fit is -5.8e-5: below 0, where the text says 0 and the
+/// truth is above it.
 #[test]
 fn leadr_supplement_3_2_clamps_lambda_below_zero() {
     let listing = |nu: f64| {
@@ -67,7 +69,8 @@ fn leadr_supplement_3_2_clamps_lambda_below_zero() {
         assert_eq!(ndf.lambda_walter(at_cotangent(v)), 0.0);
         agree(ndf.lambda(at_cotangent(v)), lambda(v), 1e-10);
     }
-    // Of the fit itself, G1 errs by 3.11e-3, as documented, and Lambda is below 0 from 1.548 to 1.6.
+    // Of the fit itself, G1 errs by 3.11e-3, as documented, and Lambda is below 0 from 1.548 to
+    // 1.6.
     let g1 = |lambda: f64| 1.0 / (1.0 + lambda);
     let errors = (1..=2000).map(|k| 1e-3 * f64::from(k));
     let worst = errors.map(|v| (g1(ndf.lambda_walter(at_cotangent(v))) - g1(lambda(v))).abs());
@@ -88,7 +91,8 @@ fn leadr_supplement_3_2_has_no_number_at_normal_incidence() {
     assert_eq!(Beckmann::new(Isotropic::new(0.5).expect("in range")).lambda(up), 0.0);
 }
 
-/// Lambda through 1 - erf has no digits left in f32 where lobes are narrow: at v = 4 it is tens of times too large.
+/// Lambda through 1 - erf has no digits left in f32 where lobes are narrow: at v = 4 it is tens of
+/// times too large.
 #[test]
 fn leadr_lambda_through_erf_cancels() {
     let naive = |v: f32| {
@@ -104,8 +108,8 @@ fn leadr_lambda_through_erf_cancels() {
     assert!(f64::from(naive(4.0)) / lambda(4.0) > 10.0, "{}", naive(4.0));
 }
 
-/// Section 3.3 hands the world's half vector to D, which wants the tangent frame's: right only where the two frames
-/// are one.
+/// Section 3.3 hands the world's half vector to D, which wants the tangent frame's: right only
+/// where the two frames are one.
 #[test]
 fn leadr_supplement_3_3_takes_the_half_vector_of_the_world() {
     let lobe = Lobe::new([0.1, 0.0], Roughness::from_sigma_rho(0.2, 0.3, 0.4).expect("deviations"));
@@ -137,7 +141,8 @@ fn leadr_algorithm_2_adds_a_coefficient_to_itself() {
     // The mean irradiance over all facets is pi L00 Y00: a quarter of the sum of the lights.
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let all = axes.into_iter().flat_map(|m| [m, m.map(|x| -x)]);
-    // Harmonics of first and second order cancel over the octahedron; none of ours is cut at 0 but those from below.
+    // Harmonics of first and second order cancel over the octahedron; none of ours is cut at 0 but
+    // those from below.
     let mean = |l: f64| PI * l * 0.282_095;
     agree(mean(3.0 * 0.282_095), 0.75, 1e-5);
     agree(mean(printed), 1.75, 1e-5);
@@ -161,7 +166,8 @@ fn leadr_supplement_3_4_has_too_little_variance() {
     agree(moment(&Quadrature::hermite(), 4), 3.0, 1e-14);
 }
 
-/// Three rules for one level of detail: Algorithm 1, section 3.5, and its rounded listing; none is a texel's solid angle.
+/// Three rules for one level of detail: Algorithm 1, section 3.5, and its rounded listing; none is
+/// a texel's solid angle.
 #[test]
 fn leadr_supplement_has_three_levels_of_detail() {
     let (omega, face) = (0.02_f64, 256.0_f64);

@@ -1,4 +1,5 @@
-//! Errors of Chermain et al. 2020 and 2021 and of their published code: what is printed fails, ours holds.
+//! Errors of Chermain et al. 2020 and 2021 and of their published code: what is printed fails, ours
+//! holds.
 #![cfg(feature = "glint")]
 
 use lobe::Roughness;
@@ -11,8 +12,9 @@ fn dictionary(means: LobeMeans) -> Dictionary<f64> {
     Dictionary::new(&Recipe { means, ..Recipe::default() }).expect("valid")
 }
 
-/// Section 6.1 says that mips add a third, 384 KiB to 512 KiB: so they do in two dimensions. In one every mip has half the
-/// texels of the one before, and all of them nearly double it. A cumulative doubles it, too, and filters exactly.
+/// Section 6.1 says that mips add a third, 384 KiB to 512 KiB: so they do in two dimensions. In one
+/// every mip has half the texels of the one before, and all of them nearly double it. A cumulative
+/// doubles it, too, and filters exactly.
 #[test]
 fn chermain_2021_section_6_1_counts_mips_of_two_dimensions() {
     let ours = Dictionary::<f32>::new(&Recipe::default()).expect("valid");
@@ -30,9 +32,10 @@ fn chermain_2021_section_6_1_counts_mips_of_two_dimensions() {
 /// A marginal, and what a filter makes of it at a place.
 type Filter<'a> = &'a dyn Fn(&Marginal<'_, f64>, f64) -> f64;
 
-/// Section 4.2 calls the separable kernel of Eq. 14 conservative. The lookup of Eq. 19 takes the longer of two derivatives times
-/// s_K: of a pixel both of whose derivatives lie along the axis the default s_K of 1/2 averages over 0.6 of the deviation, and
-/// s_K of 1 over 1.2 of it; there is no s_K that is right for this pixel and for one along its axes.
+/// Section 4.2 calls the separable kernel of Eq. 14 conservative. The lookup of Eq. 19 takes the
+/// longer of two derivatives times s_K: of a pixel both of whose derivatives lie along the axis the
+/// default s_K of 1/2 averages over 0.6 of the deviation, and s_K of 1 over 1.2 of it; there is no
+/// s_K that is right for this pixel and for one along its axes.
 #[test]
 fn chermain_2021_eq_19_is_conservative_with_s_k_1_alone() {
     let dictionary = dictionary(LobeMeans::Stratified);
@@ -62,8 +65,9 @@ fn chermain_2021_eq_19_is_conservative_with_s_k_1_alone() {
     }
 }
 
-/// The code stores densities at nodes and reads them as texels, half an interval further out: every marginal gains half an
-/// interval of what it has at 0: 2.5 % are expected on one axis, so 5 % of the light; of one marginal up to 40 % and more.
+/// The code stores densities at nodes and reads them as texels, half an interval further out: every
+/// marginal gains half an interval of what it has at 0: 2.5 % are expected on one axis, so 5 % of
+/// the light; of one marginal up to 40 % and more.
 #[test]
 fn chermain_2020_tables_are_read_half_a_texel_off() {
     let dictionary = dictionary(LobeMeans::Chermain);
@@ -82,8 +86,8 @@ fn chermain_2020_tables_are_read_half_a_texel_off() {
             dictionary.marginal(index, 0).density(0.0) - dictionary.marginal(index, 0).density(4.0);
         assert!((mass - 1.0 - step * ends).abs() < 1e-9, "{index}: {mass}");
     }
-    // The smooth density at 0 times an interval. Of a lobe and its mirror the density at 0 has a second moment of p(0)/(2
-    // sqrt(pi) width): 1.35 is its deviation, three of that of 192.
+    // The smooth density at 0 times an interval. Of a lobe and its mirror the density at 0 has a
+    // second moment of p(0)/(2 sqrt(pi) width): 1.35 is its deviation, three of that of 192.
     assert!((mean - 1.025).abs() < 3.0 * step * 1.35 / 192.0_f64.sqrt(), "{mean}");
     assert!(worst > 1.3, "{worst}");
     // Ours reads nodes as nodes, and the box as wide as all has all.
@@ -92,8 +96,8 @@ fn chermain_2020_tables_are_read_half_a_texel_off() {
     }
 }
 
-/// The early way out, where the mean number of facets rounds to the last level's, forgets that cells vary: many are still
-/// below, and every pixel jumps to the smooth lobe by 1 to 2 % of it.
+/// The early way out, where the mean number of facets rounds to the last level's, forgets that
+/// cells vary: many are still below, and every pixel jumps to the smooth lobe by 1 to 2 % of it.
 #[test]
 fn chermain_2020_leaves_too_early() {
     let dictionary = dictionary(LobeMeans::Stratified);
@@ -115,8 +119,9 @@ fn chermain_2020_leaves_too_early() {
     assert!(ours < 1e-6, "{ours}");
 }
 
-/// Section 5 takes the map's covariance over into the frame of its mean normal. Seen from there, slopes are flatter along
-/// the tilt by the square of its cosine: of a relief that leans by 45 degrees slopes a half, and their variance a quarter.
+/// Section 5 takes the map's covariance over into the frame of its mean normal. Seen from there,
+/// slopes are flatter along the tilt by the square of its cosine: of a relief that leans by 45
+/// degrees slopes a half, and their variance a quarter.
 #[test]
 fn chermain_2021_section_5_takes_slopes_of_another_frame() {
     let mean = [1.0_f64, 0.0];

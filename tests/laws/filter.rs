@@ -45,7 +45,8 @@ fn a_zero_footprint_is_the_identity() {
     check(10_000, |source| zero_changes_nothing::<f32>(source, 2e-5, 32.0 * ULP_SINGLE));
 }
 
-/// Peaks fall, A' - A is positive semi-definite, and so is A' - 2K, to rounding of the larger trace.
+/// Peaks fall, A' - A is positive semi-definite, and so is A' - 2K, to rounding of the larger
+/// trace.
 fn widening_blunts<R: Real>(source: &mut Source) -> TestCaseResult {
     let input = source.lobe();
     let lobe = input.lobe::<R>();
@@ -104,8 +105,8 @@ fn the_order_of_kernels_does_not_matter() {
             for k in 0..3 {
                 near(got[k], want[k], few * want[k].abs().max(want[0].min(want[2])), &inputs)?;
             }
-            // Three matrices of determinants that no sum cancels: mixed terms are sums of squares of
-            // differences u, which see a rounding of the entries times the product of traces.
+            // Three matrices of determinants that no sum cancels: mixed terms are sums of squares
+            // of differences u, which see a rounding of the entries times the product of traces.
             let traces: f64 = want[0] + want[2];
             near(way.det(), ways[0].det(), few * (way.det() + ULP * traces * traces), &inputs)?;
         }
@@ -114,8 +115,8 @@ fn the_order_of_kernels_does_not_matter() {
 }
 
 /// The convolution with N(0, K) by the trapezoid rule in the kernel's whitened coordinates. The
-/// lobe is no narrower than a third of the kernel: a step of 1/16 errs by e^(-2 pi 16/(3 sqrt 2)) = 5e-11
-/// at the worst, for a pole or width at 1/(3 sqrt 2) deviations.
+/// lobe is no narrower than a third of the kernel: a step of 1/16 errs by e^(-2 pi 16/(3 sqrt 2)) =
+/// 5e-11 at the worst, for a pole or width at 1/(3 sqrt 2) deviations.
 fn is_the_convolution<D: Known>(source: &mut Source) -> TestCaseResult {
     let input = source.mild_lobe();
     let [minor, _] = input.ellipse.widths();
@@ -198,8 +199,8 @@ fn the_gaussian_mean_of_ggx_is_total() {
     });
 }
 
-/// Variance addition is too bright at the peak by 8, 24, 22 and 14 %, as documented (whole per cents),
-/// by the peak of the exact convolution, 1/(pi k) (1 - x e^x E1(x)) with x = alpha^2/k.
+/// Variance addition is too bright at the peak by 8, 24, 22 and 14 %, as documented (whole per
+/// cents), by the peak of the exact convolution, 1/(pi k) (1 - x e^x E1(x)) with x = alpha^2/k.
 #[test]
 fn variance_addition_is_as_wrong_as_documented() {
     for (ratio, percent) in [(0.1, 8.0), (1.0, 24.0), (3.0, 22.0), (10.0, 14.0)] {

@@ -1,4 +1,5 @@
-//! Cells under a pixel: shares that sum to 1, in bounded number, without jumps (law Z5), and any pixel at all (law B1).
+//! Cells under a pixel: shares that sum to 1, in bounded number, without jumps (law Z5), and any
+//! pixel at all (law B1).
 #![cfg(feature = "glint")]
 
 use crate::common::arbitrary::Source;
@@ -67,7 +68,8 @@ fn shares_are_positive_and_sum_to_one_over_a_bounded_number_of_cells() {
     });
 }
 
-/// Without compression cells are as large as the pixel is wide: between half of its width and all of it on the finer grid.
+/// Without compression cells are as large as the pixel is wide: between half of its width and all
+/// of it on the finer grid.
 #[test]
 fn cells_are_as_large_as_the_pixel_is_wide() {
     check(20_000, |source| {
@@ -76,7 +78,8 @@ fn cells_are_as_large_as_the_pixel_is_wide() {
         let long = a.max(b);
         let matrix = Matrix2::from_columns(&[patch.right.into(), patch.up.into()]);
         let shorter = matrix.singular_values().min();
-        // The sum of squares that nalgebra begins with keeps half of the digits of a thin pixel's width.
+        // The sum of squares that nalgebra begins with keeps half of the digits of a thin pixel's
+        // width.
         near(patch.width(), shorter, 1e-12 * shorter + 1e-15 * long, &patch)?;
         let width = patch.width().max(long / f64::from(ANISOTROPY_LIMIT));
         let grid = Grid::new(&patch, 1e-12);
@@ -125,7 +128,8 @@ fn shares(grid: &Grid<f64>) -> HashMap<([i64; 2], i32), f64> {
     cells(grid).into_iter().map(|cell| ((cell.index, cell.exponent), cell.share)).collect()
 }
 
-/// Law Z5: shares move by no more than a few times what the pixel does, whatever it crosses: cells, ends, levels.
+/// Law Z5: shares move by no more than a few times what the pixel does, whatever it crosses: cells,
+/// ends, levels.
 #[test]
 fn shares_change_as_little_as_the_pixel() {
     check(50_000, |source| {
@@ -144,8 +148,8 @@ fn shares_change_as_little_as_the_pixel() {
         let all = one.keys().chain(other.keys());
         for key in all {
             let (a, b) = (one.get(key).unwrap_or(&0.0), other.get(key).unwrap_or(&0.0));
-            // Of a pixel whose width is a difference, relative steps of the derivatives are larger ones of it. Where
-            // both extents of a long pixel are equal, columns become rows.
+            // Of a pixel whose width is a difference, relative steps of the derivatives are larger
+            // ones of it. Where both extents of a long pixel are equal, columns become rows.
             let scaled = |v: [f64; 2]| [v[0] * factors[0], v[1] * factors[1]];
             let stretched = Patch::new(here.uv, scaled(here.right), scaled(here.up));
             let [e, f] = stretched.extents();
@@ -161,7 +165,8 @@ fn shares_change_as_little_as_the_pixel() {
     });
 }
 
-/// A plane that faces the camera has square pixels, and rounding says which side is longer: no share may depend on it.
+/// A plane that faces the camera has square pixels, and rounding says which side is longer: no
+/// share may depend on it.
 #[test]
 fn rounding_does_not_turn_squares() {
     check(20_000, |source| {

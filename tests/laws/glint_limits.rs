@@ -1,4 +1,5 @@
-//! Glints at their limits: probabilities, grooves, brightness, lights, masking, and any input at all (laws Z5, Z6, Z11, B1).
+//! Glints at their limits: probabilities, grooves, brightness, lights, masking, and any input at
+//! all (laws Z5, Z6, Z11, B1).
 #![cfg(feature = "glint")]
 
 use crate::common::arbitrary::Source;
@@ -118,8 +119,8 @@ fn a_groove_is_the_same_along_its_length() {
     }
 }
 
-/// A pixel is never brighter than two details seen along their normals, whatever their number: whole numbers no more than
-/// one, and real ones are as many trials as the next whole number.
+/// A pixel is never brighter than two details seen along their normals, whatever their number:
+/// whole numbers no more than one, and real ones are as many trials as the next whole number.
 #[test]
 fn no_pixel_is_brighter_than_two_details() {
     check(30_000, |source| {

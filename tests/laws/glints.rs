@@ -1,4 +1,5 @@
-//! Glints: what they average to and how much they vary (laws Z1, Z2, Z7, Z9, Z10, Z13, B2), with the figures stated for them.
+//! Glints: what they average to and how much they vary (laws Z1, Z2, Z7, Z9, Z10, Z13, B2), with
+//! the figures stated for them.
 #![cfg(feature = "glint")]
 
 use crate::common::arbitrary::Source;
@@ -42,7 +43,8 @@ fn over_pixels(
     (mean, squares / f64::from(count) / (mean * mean) - 1.0)
 }
 
-/// Law Z2, with its figures: of one cell of n details the relative variance is (1 - P)/(n P). Z1: the mean is 1.
+/// Law Z2, with its figures: of one cell of n details the relative variance is (1 - P)/(n P). Z1:
+/// the mean is 1.
 #[test]
 fn one_cell_varies_as_its_binomial_number() {
     const COUNT: u32 = 400_000;
@@ -64,7 +66,8 @@ fn one_cell_varies_as_its_binomial_number() {
     }
 }
 
-/// Law Z1 for any material, half vector, light and pixel; Z10, sizes that vary; Z13, details as rough as the whole.
+/// Law Z1 for any material, half vector, light and pixel; Z10, sizes that vary; Z13, details as
+/// rough as the whole.
 #[test]
 fn the_mean_is_the_smooth_lobe() {
     for case in 0..size(40, 160) {
@@ -104,15 +107,16 @@ fn the_mean_is_the_smooth_lobe() {
         if rarest > 200.0 {
             assert!(
                 (mean - 1.0).abs() < 5.0 * deviation + 2e-3,
-                "{case}: {alphas:?} {fractions:?} density {density} slope {slope:?} variation {variation}: \
+                "{case}: {alphas:?} {fractions:?} density {density} slope {slope:?} variation \
+                    {variation}: \
                  {mean} +- {deviation}"
             );
         }
     }
 }
 
-/// How much larger than a detail's lobe its angular bin is on the slope plane, on average over details: bins are equal on
-/// the paraboloid q = 2 tan(t/2), slopes are tan(t).
+/// How much larger than a detail's lobe its angular bin is on the slope plane, on average over
+/// details: bins are equal on the paraboloid q = 2 tan(t/2), slopes are tan(t).
 fn bin_over_lobe(alpha: f64) -> f64 {
     let nodes = 20_000;
     let at = |k: u32| {
@@ -124,8 +128,8 @@ fn bin_over_lobe(alpha: f64) -> f64 {
     (0..nodes).map(at).sum::<f64>() / f64::from(nodes)
 }
 
-/// Law Z9, with its figure: the density of one cell of 100 details integrates to 1 on average, and varies by 1/n; off the
-/// pole by more.
+/// Law Z9, with its figure: the density of one cell of 100 details integrates to 1 on average, and
+/// varies by 1/n; off the pole by more.
 #[test]
 fn the_integral_is_one_on_average_and_varies_by_one_over_n() {
     for (alpha, stated) in [(0.05, 1.0), (0.6, 1.3), (1.0, 1.8)] {
@@ -188,8 +192,9 @@ fn many_details_are_smooth() {
     }
 }
 
-/// What a pixel of `density` details varies by, times its area, if its cells draw independently; and if those of one
-/// place, which two levels have, draw one number: means over many pixels, whose cells `visit` gives.
+/// What a pixel of `density` details varies by, times its area, if its cells draw independently;
+/// and if those of one place, which two levels have, draw one number: means over many pixels, whose
+/// cells `visit` gives.
 fn laws(
     density: f64,
     p: f64,
@@ -217,9 +222,10 @@ fn ours(patch: &Patch<f64>, f: &mut dyn FnMut(CoveredCell<f64>)) {
     Grid::new(patch, 1e-9).visit(f);
 }
 
-/// Law B2, with its figures: the variance of a pixel falls with its area, rippling by 2 within an octave. The figures are
-/// of two levels under one weight, as published, that draw independently. Cells that come and go one by one keep the
-/// variance above that, and draws of one number for one place raise it further: nearer to 1, the details' own.
+/// Law B2, with its figures: the variance of a pixel falls with its area, rippling by 2 within an
+/// octave. The figures are of two levels under one weight, as published, that draw independently.
+/// Cells that come and go one by one keep the variance above that, and draws of one number for one
+/// place raise it further: nearer to 1, the details' own.
 #[test]
 fn the_variance_of_a_pixel_ripples_as_stated() {
     let stated: [(f64, &[(u64, f64)]); 2] = [
@@ -268,7 +274,8 @@ fn the_variance_of_a_pixel_ripples_as_stated() {
     }
 }
 
-/// A square pixel varies as much however it is turned: its cells are as large as its sides, not as its diagonal.
+/// A square pixel varies as much however it is turned: its cells are as large as its sides, not as
+/// its diagonal.
 #[test]
 fn turned_pixels_vary_as_straight_ones() {
     let (density, h) = (2e3, [0.0, 0.0, 1.0]);

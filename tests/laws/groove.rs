@@ -89,7 +89,8 @@ fn a_mirror_seen_in_a_pixel_is_as_bright_as_its_area_is_small() {
     assert_eq!(mirror.parallelogram_mean([0.0, 0.0], &Footprint::rectangle([0.1, 0.0])), 0.0);
 }
 
-/// The mass of a round GGX beyond a distance d is alpha^2/(alpha^2 + d^2): so far is the mean from the mirror's.
+/// The mass of a round GGX beyond a distance d is alpha^2/(alpha^2 + d^2): so far is the mean from
+/// the mirror's.
 fn tends_to_the_mirror<R: Real>(source: &mut Source) -> TestCaseResult {
     let (footprint, over) = pixel::<R>(source);
     let (mean, exact_mean) = single::<R>(source.vector(1e-3, 3.0));
@@ -154,8 +155,8 @@ fn a_mirror_on_the_border_is_half_seen() {
     }
 }
 
-/// The chord of a line through the mean along `axis` within the footprint: both ends as distances from the mean, by
-/// clipping in the footprint's own coordinates; none if the line misses it.
+/// The chord of a line through the mean along `axis` within the footprint: both ends as distances
+/// from the mean, by clipping in the footprint's own coordinates; none if the line misses it.
 fn chord(axis: [f64; 2], offset: [f64; 2], over: &Footprint<f64>) -> Option<[f64; 2]> {
     let area = cross(over.u, over.v);
     let parts = |w: [f64; 2]| [cross(w, over.v) / area, cross(over.u, w) / area];
@@ -198,7 +199,8 @@ fn the_marginal_is_the_integral_across() {
 /// The mean of a groove by quadrature of the marginal along the chord.
 fn groove_mean(alpha: f64, axis: [f64; 2], offset: [f64; 2], over: &Footprint<f64>) -> f64 {
     let Some([from, to]) = chord(axis, offset, over) else { return 0.0 };
-    // In pieces between powers of two of alpha: one rule does not see a narrow peak on a long chord.
+    // In pieces between powers of two of alpha: one rule does not see a narrow peak on a long
+    // chord.
     let mut ends = vec![from, to, 0.0];
     let longest = from.abs().max(to.abs());
     let mut reach = alpha;
@@ -244,15 +246,16 @@ fn a_groove_is_its_chord<R: Real>(source: &mut Source) -> TestCaseResult {
     ];
     for (got, axis, alpha) in cases {
         let want = groove_mean(alpha, axis, offset, &over);
-        // The axis and its length have a few roundings: the line moves by them times its distance from the mean, and
-        // the chord by that over the angle to the sides.
+        // The axis and its length have a few roundings: the line moves by them times its distance
+        // from the mean, and the chord by that over the angle to the sides.
         let extent = offset[0].hypot(offset[1]) + over.diameter();
         let shift = 16.0 * R::EPSILON.to_f64() * extent;
         let angle = cross(axis, over.u).abs().max(cross(axis, over.v).abs());
         let short = cross(axis, over.u).abs().min(cross(axis, over.v).abs());
         let nearest = chord(axis, offset, &over)
             .map_or(0.0, |[from, to]| if from * to < 0.0 { 0.0 } else { from.abs().min(to.abs()) });
-        // By the change of the chord's part where the line passes a corner, and of the density along it.
+        // By the change of the chord's part where the line passes a corner, and of the density
+        // along it.
         let peak = marginal(alpha, (nearest - shift).max(0.0)) / angle;
         let slack = peak * (shift / short.max(shift)).min(1.0)
             + want * 4.0 * shift / (alpha.hypot(nearest));
@@ -268,7 +271,8 @@ fn a_groove_s_mean_is_the_mass_of_its_chord_over_the_area() {
     check(5_000, a_groove_is_its_chord::<f32>);
 }
 
-/// A footprint without area that crosses a groove has a mean: the line's density over the segment's extent across.
+/// A footprint without area that crosses a groove has a mean: the line's density over the segment's
+/// extent across.
 #[test]
 fn a_segment_across_a_groove_has_a_mean() {
     let groove = Ggx::new(AxisAligned::new(0.3_f64, 0.0).expect("a groove"));
@@ -285,8 +289,9 @@ fn a_segment_across_a_groove_has_a_mean() {
     }
 }
 
-/// A lobe that narrows across: its mass differs from the groove's by no more than lies beyond the corners, at most
-/// (h/d)^2/4 on either side, and by what its width adds to alpha across the edges that the line crosses.
+/// A lobe that narrows across: its mass differs from the groove's by no more than lies beyond the
+/// corners, at most (h/d)^2/4 on either side, and by what its width adds to alpha across the edges
+/// that the line crosses.
 fn tends_to_the_groove<R: Real>(source: &mut Source) -> TestCaseResult {
     let (footprint, over) = pixel::<R>(source);
     let (center, exact) =
@@ -309,7 +314,8 @@ fn tends_to_the_groove<R: Real>(source: &mut Source) -> TestCaseResult {
             .iter()
             .map(|e| {
                 let part = (h * dot(axis, *e) / (exact_alpha * cross(axis, *e))).abs();
-                // d F(C/sigma) with sigma = sqrt(1 + part^2): at most 0.2 part^2, and no more than the mass.
+                // d F(C/sigma) with sigma = sqrt(1 + part^2): at most 0.2 part^2, and no more than
+                // the mass.
                 2.0 * (0.2 * part * part).min(1.0)
             })
             .sum();
@@ -326,7 +332,8 @@ fn a_narrowing_lobe_s_mean_tends_to_the_groove_s() {
     check(5_000, tends_to_the_groove::<f32>);
 }
 
-/// Slivers longer than twice the precision resolves, but as thick as the lobe: they are no mirror's. f64 resolves them.
+/// Slivers longer than twice the precision resolves, but as thick as the lobe: they are no
+/// mirror's. f64 resolves them.
 #[test]
 fn slivers_as_thick_as_the_lobe_are_resolved() {
     check(20_000, |source| {
@@ -348,7 +355,8 @@ fn slivers_as_thick_as_the_lobe_are_resolved() {
     });
 }
 
-/// The BRDF of a tilted mirror: one over the area, at the height of the mirror's own normal, times the visibility.
+/// The BRDF of a tilted mirror: one over the area, at the height of the mirror's own normal, times
+/// the visibility.
 fn a_mirror_s_brdf_is_its_normal_s<R: Real>(source: &mut Source) -> TestCaseResult {
     let (footprint, over) = pixel::<R>(source);
     let pair = source.pair().map(|w| w.map(R::lit));
@@ -412,7 +420,8 @@ fn the_brdf_of_a_narrowing_brushed_lobe_has_no_step() {
     }
 }
 
-/// Along each axis the difference of two error functions, in its limit a step; the oracle is pxfm's erf.
+/// Along each axis the difference of two error functions, in its limit a step; the oracle is pxfm's
+/// erf.
 fn beckmann_tends_to_the_mirror<R: Real>(source: &mut Source) -> TestCaseResult {
     let size = |source: &mut Source| match source.pick(3) {
         0 => 0.0,
@@ -456,7 +465,8 @@ fn beckmann_s_mean_tends_to_the_mirror_s() {
     assert_eq!(beckmann_rectangle_mean([0.0_f32, 0.1], [0.0, 0.0], [0.0, 0.1]), 0.0);
 }
 
-/// A footprint thinner than a groove is wide sees a part of the groove's marginal, however long the footprint is.
+/// A footprint thinner than a groove is wide sees a part of the groove's marginal, however long the
+/// footprint is.
 #[test]
 fn a_thin_footprint_along_a_mirror_s_axis_resolves_the_groove() {
     for (alpha, long, thin) in [(1e-6, 1e9, 1e-7), (1e-12, 300.0, 1e-13), (1e-3, 1e9, 0.01)] {
@@ -481,8 +491,8 @@ fn a_thin_footprint_along_a_mirror_s_axis_resolves_the_groove() {
     }
 }
 
-/// Round lobes have no axis: a quarter turn of the view and the footprint changes nothing, down to half vectors whose
-/// density is no normal number.
+/// Round lobes have no axis: a quarter turn of the view and the footprint changes nothing, down to
+/// half vectors whose density is no normal number.
 #[test]
 fn a_quarter_turn_changes_no_round_lobe_at_low_half_vectors() {
     for slope in [1e7_f32, 1e8, 4e8, 9e8] {
@@ -499,8 +509,8 @@ fn a_quarter_turn_changes_no_round_lobe_at_low_half_vectors() {
     }
 }
 
-/// Brushed lobes whose density at the half vector is a tiny normal number: the BRDF over a pixel is continuous in the
-/// narrower alpha down to 0 there, too.
+/// Brushed lobes whose density at the half vector is a tiny normal number: the BRDF over a pixel is
+/// continuous in the narrower alpha down to 0 there, too.
 #[test]
 fn brushed_lobes_keep_their_brdf_at_any_width() {
     let (wo, wi) = ([0.6_f32, 0.0, 0.8], [-0.6, 0.008, 0.8]);

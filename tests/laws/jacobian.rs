@@ -10,8 +10,8 @@ use lobe::{Footprint, Path, Vertex};
 use nalgebra::{Matrix2, Vector3};
 use proptest::test_runner::TestCaseResult;
 
-/// Central differences of fourth order: truncation (step/scale)^4 / 30 times the fifth derivative, about
-/// 1e-12 for a step of a thousandth of the map's scale; rounding 1e-16/1e-3.
+/// Central differences of fourth order: truncation (step/scale)^4 / 30 times the fifth derivative,
+/// about 1e-12 for a step of a thousandth of the map's scale; rounding 1e-16/1e-3.
 const STEP: f64 = 1e-3;
 const DIFFERENCES: f64 = 1e-9;
 
@@ -134,7 +134,8 @@ fn reflection_stretches_solid_angles_by_four_cosines() {
     });
 }
 
-/// The half vector of a path whose surface point moves: positions, normal and tangents move with it.
+/// The half vector of a path whose surface point moves: positions, normal and tangents move with
+/// it.
 fn moved_plane_point(
     ends: &[(Vector3<f64>, bool); 2],
     curvature: [f64; 3],

@@ -1,4 +1,5 @@
-//! Displaced surfaces: areas that add up, light that is conserved, grids against quadrature, and no surprises in f32.
+//! Displaced surfaces: areas that add up, light that is conserved, grids against quadrature, and no
+//! surprises in f32.
 #![cfg(feature = "leadr")]
 
 use crate::common::arbitrary::Source;
@@ -98,7 +99,8 @@ fn grids_agree_with_the_integral_over_slopes() {
 
 #[test]
 fn a_point_lights_form_integrates_to_the_same_as_facets() {
-    // Over the sphere of light directions, each by its own solid angle: no Jacobian of the library is used.
+    // Over the sphere of light directions, each by its own solid angle: no Jacobian of the library
+    // is used.
     check(6, |source| {
         let (surface, lobe, wo) = surface(source, 0.5);
         if lobe.roughness().alphas().minor < 0.05 {
@@ -145,7 +147,8 @@ fn constant_light_is_constant() {
             surface.environment(wo, &grid, Shadowing::MaskingOnly, normalization, &white, &bright)
         };
         near_all(&of(Normalization::Sum), &[1.0, 2.0, 0.0], 1e-14, &(lobe, wo))?;
-        // In closed form it is what the grid makes of the area: documented as up to 12 % for the paper's 5 x 5.
+        // In closed form it is what the grid makes of the area: documented as up to 12 % for the
+        // paper's 5 x 5.
         near_all(&of(Normalization::ProjectedArea), &[1.0, 2.0, 0.0], 2.0 * 0.125, &(lobe, wo))?;
         let lit = surface.diffuse(wo, &grid, Normalization::Sum, |_| [PI, 0.0, 2.0 * PI]);
         near_all(&lit, &[1.0, 0.0, 2.0], 1e-14, &(lobe, wo))

@@ -1,4 +1,5 @@
-//! Mip chains of moments: unions, order, exact consistency at any size, digits, and what samplers read.
+//! Mip chains of moments: unions, order, exact consistency at any size, digits, and what samplers
+//! read.
 #![cfg(feature = "lean")]
 
 use crate::common::arbitrary::Source;
@@ -38,7 +39,8 @@ fn map(source: &mut Source) -> ([usize; 2], Vec<[f64; 2]>) {
     (size, slopes.collect())
 }
 
-/// Agreement up to rounding: `ulps` units of a mean's rounding, which covariances meet as a shift of the mean.
+/// Agreement up to rounding: `ulps` units of a mean's rounding, which covariances meet as a shift
+/// of the mean.
 fn agrees(
     got: &SlopeMoments<f64>,
     want: &([f64; 2], [f64; 3]),
@@ -167,7 +169,8 @@ fn the_order_of_a_merge_does_not_matter() {
 
 #[test]
 fn a_million_nearly_equal_slopes_keep_their_covariance_in_single_precision() {
-    // Sums of uniform numbers: deviation 1e-4 around 10; alone, and in the ways in which means of large areas differ.
+    // Sums of uniform numbers: deviation 1e-4 around 10; alone, and in the ways in which means of
+    // large areas differ.
     type Pattern = fn(f64, f64) -> f64;
     let patterns: [(&str, [usize; 2], Pattern); 5] = [
         ("noise", [1000, 1000], |noise, _| noise),
@@ -315,7 +318,8 @@ fn a_long_footprint_averages_along_its_length() {
 
 #[test]
 fn a_footprint_on_an_even_slope_has_its_own_variance() {
-    // A plane that bends: slopes change by 1e-3 a texel along x, and twice that along y. Far from the border.
+    // A plane that bends: slopes change by 1e-3 a texel along x, and twice that along y. Far from
+    // the border.
     let slopes: Vec<[f64; 2]> =
         (0..512 * 512).map(|k| [1e-3 * f64::from(k % 512), 2e-3 * f64::from(k / 512)]).collect();
     let map = MomentMap::from_slopes([512, 512], slopes, Border::Clamp).expect("a map");

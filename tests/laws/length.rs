@@ -1,4 +1,5 @@
-//! What engines read off a mean of normals, against the distributions they stand for; and the factor of 4 between them.
+//! What engines read off a mean of normals, against the distributions they stand for; and the
+//! factor of 4 between them.
 #![cfg(feature = "published")]
 
 use crate::common::quadrature::adaptive;
@@ -42,7 +43,8 @@ fn engines_disagree_by_four_and_variance_takes_the_larger() {
         // Within what sin^2 and the fit leave of first order; the other is nowhere near.
         assert!((whole / right - 1.0).abs() < 1.5 / kappa + 1e-3, "{kappa}: {whole} for {right}");
         assert!((half / right - 0.5).abs() < 0.03, "{kappa}: {half} for {right}");
-        // Added to alpha^2 it is what four times less variance would be: highlights four times as bright.
+        // Added to alpha^2 it is what four times less variance would be: highlights four times as
+        // bright.
         let peak =
             |alpha: f64| Beckmann::new(Isotropic::new(alpha).expect("alpha")).slope_pdf([0.0, 0.0]);
         assert!((peak(half) / peak(whole) - 4.0).abs() < 1e-9);
@@ -83,8 +85,9 @@ fn clean_is_lean_without_direction() {
     assert_eq!(clean_variance([1.0_f32, 0.0], 0.5), Ok(0.0));
 }
 
-/// The longest that a unit vector becomes when its components are stored: over every stored vector near the sphere
-/// whose cell of rounding reaches the sphere. Components as whole half steps of `1/scale`, odd ones in unorm.
+/// The longest that a unit vector becomes when its components are stored: over every stored vector
+/// near the sphere whose cell of rounding reaches the sphere. Components as whole half steps of
+/// `1/scale`, odd ones in unorm.
 fn longest_stored(scale: i32, is_unorm: bool) -> f64 {
     let scale_double = f64::from(scale);
     let half = if is_unorm { 1.0 } else { 0.5 } / scale_double;
@@ -117,7 +120,8 @@ fn eight_bits_make_no_normal_longer_than_the_tolerance() {
     assert!((MEAN_LENGTH_TOLERANCE * 254.0 - 3.0_f64.sqrt()).abs() < 1e-15);
 }
 
-/// Every texel that a unit normal is stored as: none is refused, and none longer than 1 has variance.
+/// Every texel that a unit normal is stored as: none is refused, and none longer than 1 has
+/// variance.
 #[test]
 fn texels_longer_than_one_have_no_variance() {
     let decode = |b: u8| 2.0 * f32::from(b) / 255.0 - 1.0;

@@ -29,7 +29,8 @@ fn across(w: V3) -> [V3; 2] {
     [t, cross(w, t)]
 }
 
-/// The light's integral with a function of direction: midpoints in angle and in the Gaussian's own measure.
+/// The light's integral with a function of direction: midpoints in angle and in the Gaussian's own
+/// measure.
 fn over_light(wi: V3, sharpness: f64, f: &dyn Fn(V3) -> f64) -> f64 {
     const RINGS: usize = 400;
     const ANGLES: usize = 64;
@@ -59,7 +60,8 @@ fn the_integral_is_that_of_the_light() {
     }
 }
 
-/// Derivatives of the slope and of the disk's point by differences, summed as outer products over lambda.
+/// Derivatives of the slope and of the disk's point by differences, summed as outer products over
+/// lambda.
 fn kernels<R: Real>(source: &mut Source, tolerance: f64) -> TestCaseResult {
     let pair = source.pair();
     let [wo, wi] = pair.map(|w| unit([w[0], w[1], w[2].max(0.1)]));

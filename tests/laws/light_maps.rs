@@ -1,4 +1,5 @@
-//! Light from everywhere: cube maps against the directions they were painted for, harmonics against quadrature.
+//! Light from everywhere: cube maps against the directions they were painted for, harmonics against
+//! quadrature.
 #![cfg(feature = "leadr")]
 
 use crate::common::{check, near, near_all};
@@ -6,7 +7,8 @@ use core::f64::consts::PI;
 use lobe::material::leadr::{CubeMap, Irradiance, Light, cube_lod, dupuy_cube_lod};
 use lobe::{Error, slope::direction::normalize};
 
-/// The direction of a point on a face in [-1, 1]^2, as the Vulkan specification tabulates sc, tc and ma.
+/// The direction of a point on a face in [-1, 1]^2, as the Vulkan specification tabulates sc, tc
+/// and ma.
 fn on_face(face: usize, s: f64, t: f64) -> [f64; 3] {
     match face {
         0 => [1.0, -t, -s],
@@ -134,7 +136,8 @@ fn second_order_light_has_its_irradiance_exactly() {
 
 #[test]
 fn one_light_is_what_the_harmonics_show_worst() {
-    // Against the clamped cosine: at most 0.0625 too bright where it faces, and ringing on the dark side.
+    // Against the clamped cosine: at most 0.0625 too bright where it faces, and ringing on the dark
+    // side.
     let mut sun = Irradiance::<f64>::dark();
     sun.add_directional([0.0, 0.0, 5.0], [1.0; 3]);
     let mut worst = 0.0_f64;

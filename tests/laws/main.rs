@@ -1,7 +1,8 @@
-//! Laws of the library, its golden tables, the errata of the papers, and the fuzzers' corpus: one module for each subject.
+//! Laws of the library, its golden tables, the errata of the papers, and the fuzzers' corpus: one
+//! module for each subject.
 //!
-//! `cargo test --test laws SUBJECT::` runs one module. All of them stand in one binary, because each binary compiles
-//! the oracles and the generator of inputs again.
+//! `cargo test --test laws SUBJECT::` runs one module. All of them stand in one binary, because
+//! each binary compiles the oracles and the generator of inputs again.
 
 #[path = "../budget.rs"]
 mod budget;

@@ -1,4 +1,5 @@
-//! Marginals of a dictionary: means over boxes, lookups in mips, quantiles, and any number (law C12).
+//! Marginals of a dictionary: means over boxes, lookups in mips, quantiles, and any number (law
+//! C12).
 #![cfg(feature = "glint")]
 
 use crate::common::marginals::{all, small};
@@ -56,7 +57,8 @@ fn boxes_are_exact() {
     }
 }
 
-/// A trilinear lookup of nominal width w is about as wide as a box of 1.5 to 1.75 w, and keeps the mass but for the end.
+/// A trilinear lookup of nominal width w is about as wide as a box of 1.5 to 1.75 w, and keeps the
+/// mass but for the end.
 #[test]
 fn mips_are_wider_than_they_say() {
     let dictionary = small(LobeMeans::Stratified);

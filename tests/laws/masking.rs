@@ -13,10 +13,10 @@ fn any_direction(source: &mut Source) -> [f64; 3] {
     if source.pick(4) == 1 { [x, y, -z] } else { [x, y, z] }
 }
 
-/// The projected area is the integral of max(0, w.m) D(m) over normals, and G1 times it is c: the weak
-/// white furnace. The quadrature errs by 1e-9; densities by 8 blur (a slope's rounding); the mean
-/// plane's c by a few roundings of its terms, which enter the area by its derivative,
-/// below min(1, 4 (1 + |c/a|) area/a).
+/// The projected area is the integral of max(0, w.m) D(m) over normals, and G1 times it is c: the
+/// weak white furnace. The quadrature errs by 1e-9; densities by 8 blur (a slope's rounding); the
+/// mean plane's c by a few roundings of its terms, which enter the area by its derivative, below
+/// min(1, 4 (1 + |c/a|) area/a).
 fn area_is_the_integral<D: Known>(source: &mut Source, deepest: f64) -> TestCaseResult {
     let input = source.mild_lobe();
     let w = any_direction(source);

@@ -1,5 +1,5 @@
-//! The frame about a mean slope: a rotation, with the derivative it says. What the facade draws in it is in
-//! tests/laws/multilobe_sampling.rs.
+//! The frame about a mean slope: a rotation, with the derivative it says. What the facade draws in
+//! it is in tests/laws/multilobe_sampling.rs.
 
 use crate::common::{check, near, near_all};
 use lobe::slope::direction::{normal_of, slope_of};
@@ -44,7 +44,8 @@ fn its_jacobian_is_that_of_slopes() {
     });
 }
 
-/// A narrow relief keeps its density: moments by the derivative against those of samples, each turned by itself.
+/// A narrow relief keeps its density: moments by the derivative against those of samples, each
+/// turned by itself.
 #[test]
 fn moments_are_those_of_turned_samples() {
     let mean = [0.8, -0.5];

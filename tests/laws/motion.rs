@@ -1,4 +1,5 @@
-//! Footprints from motions are derivatives of slopes over explicit surfaces, by central differences.
+//! Footprints from motions are derivatives of slopes over explicit surfaces, by central
+//! differences.
 
 use crate::common::arbitrary::Source;
 use crate::common::{ULP_SINGLE, check, near};
@@ -28,7 +29,8 @@ fn slope_in(frame: &Matrix3<f64>, g: &V3) -> [f64; 2] {
     [-local.x / local.z, -local.y / local.z]
 }
 
-/// The footprint of these motions is what the slope does, relative to the largest derivative and to 1.
+/// The footprint of these motions is what the slope does, relative to the largest derivative and
+/// to 1.
 fn follows(
     g: V3,
     motions: &[Motion<f64>; 2],
@@ -132,7 +134,8 @@ fn a_quadric_under_near_lights_moves_the_slope_as_its_path_says() {
     });
 }
 
-/// A bumpy plane: the shading normal is not the surface's, and the tangent is a brushed metal's that turns.
+/// A bumpy plane: the shading normal is not the surface's, and the tangent is a brushed metal's
+/// that turns.
 #[test]
 fn shading_normals_and_brushed_tangents_move_the_slope_as_their_motions_say() {
     check(10_000, |source| {
@@ -169,7 +172,8 @@ fn shading_normals_and_brushed_tangents_move_the_slope_as_their_motions_say() {
     });
 }
 
-/// Any half vector that moves on a line in any frame that turns about any axis: dn = omega x n, spin = omega_z.
+/// Any half vector that moves on a line in any frame that turns about any axis: dn = omega x n,
+/// spin = omega_z.
 #[test]
 fn a_turning_frame_moves_the_slope() {
     check(20_000, |source| {
@@ -204,7 +208,8 @@ fn a_turning_frame_moves_the_slope() {
     });
 }
 
-/// A spin alone turns the footprint's pattern and nothing that an isotropic lobe would see: |s| stays.
+/// A spin alone turns the footprint's pattern and nothing that an isotropic lobe would see: |s|
+/// stays.
 #[test]
 fn a_spin_moves_the_slope_around_the_normal() {
     let spin = Motion { spin: 0.25, ..Motion::default() };

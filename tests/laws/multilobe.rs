@@ -1,4 +1,5 @@
-//! Many lobes in one pixel: its integral, its evenness, its masking, and what it tends to (laws C3 to C6).
+//! Many lobes in one pixel: its integral, its evenness, its masking, and what it tends to (laws C3
+//! to C6).
 #![cfg(feature = "glint")]
 
 use crate::common::arbitrary::Source;
@@ -26,8 +27,8 @@ fn variants(pixel: PatchNdf<'static, f64>) -> Vec<PatchNdf<'static, f64>> {
 /// Deviations beyond which nothing is: a table's diagonal, and half that of the widest kernel.
 const REACH: f64 = 8.7;
 
-/// The square that the k-th variant is integrated over: its half side in deviations, and its midpoints along a side.
-/// Unfiltered lobes end sooner, and have kinks at nodes 1/16 apart.
+/// The square that the k-th variant is integrated over: its half side in deviations, and its
+/// midpoints along a side. Unfiltered lobes end sooner, and have kinks at nodes 1/16 apart.
 fn square(k: usize) -> (f64, u32) {
     if [0, 2].contains(&k) { (5.7, 460) } else { (REACH, 400) }
 }
@@ -116,7 +117,8 @@ fn masking_is_exact() {
     }
 }
 
-/// Cells without facets are the smooth lobe: all of them it is to the bit, some of them leave an integral of 1.
+/// Cells without facets are the smooth lobe: all of them it is to the bit, some of them leave an
+/// integral of 1.
 #[test]
 fn a_share_of_the_cells_has_facets() {
     let patch = Patch::new([0.3, 0.7], [1.5, 0.2], [-0.3, 1.1]);
@@ -147,7 +149,8 @@ fn a_share_of_the_cells_has_facets() {
     assert!(smooth_part(1.0) == 0.0);
 }
 
-/// Masking and shadowing by the smaller of both is the product up to 45 degrees from the pole, and never below it.
+/// Masking and shadowing by the smaller of both is the product up to 45 degrees from the pole, and
+/// never below it.
 #[test]
 fn the_smaller_masking_is_no_less_than_the_product() {
     check(20_000, |source| {
@@ -170,11 +173,13 @@ fn the_smaller_masking_is_no_less_than_the_product() {
     });
 }
 
-/// Law C6: very many facets are the correlated Beckmann lobe, to the last digit: where no cell is asked, and where all are.
+/// Law C6: very many facets are the correlated Beckmann lobe, to the last digit: where no cell is
+/// asked, and where all are.
 #[test]
 fn very_many_facets_are_the_smooth_lobe() {
     let smooth = Beckmann::new(Anisotropic::new(roughness()));
-    // As many as the last level has, in every cell: none is beyond all random numbers, and none has a table.
+    // As many as the last level has, in every cell: none is beyond all random numbers, and none has
+    // a table.
     let last = MultiLobe::new(roughness(), 4.0_f64.powi(16)).expect("in range");
     let last = last.with_variation(0.0).expect("in range");
     for index in 0..20 {
@@ -209,7 +214,8 @@ fn a_mirror_has_no_density() {
     }
 }
 
-/// Normal maps enter through the covariance, seen from their mean, and M with its correlation carries it.
+/// Normal maps enter through the covariance, seen from their mean, and M with its correlation
+/// carries it.
 #[test]
 fn moments_enter_through_the_covariance() {
     let covariance = Psd::new(0.02, -0.01, 0.03).expect("valid");

@@ -1,4 +1,5 @@
-//! Many lobes at the ends of what numbers hold: mirrors under kernels, the horizon, small texels, and no numbers.
+//! Many lobes at the ends of what numbers hold: mirrors under kernels, the horizon, small texels,
+//! and no numbers.
 #![cfg(feature = "glint")]
 
 use crate::common::arbitrary::Source;
@@ -8,8 +9,8 @@ use lobe::material::cells::Patch;
 use lobe::material::multilobe::{Dictionary, MultiLobe, Recipe};
 use lobe::{Kernel, Psd, Real, Roughness};
 
-/// Lobes without width along one axis or any, under kernels of all sizes, in f32 as in f64: a mass of 1, and the kernel's own
-/// covariance where the lobe is nothing against it.
+/// Lobes without width along one axis or any, under kernels of all sizes, in f32 as in f64: a mass
+/// of 1, and the kernel's own covariance where the lobe is nothing against it.
 fn mirrors_are_what_kernels_make_of_them<R: Real>() {
     let recipe = Recipe { levels: 6, width: 0.3, ..Recipe::default() };
     let dictionary = Dictionary::<R>::new(&recipe).expect("valid");
@@ -23,7 +24,8 @@ fn mirrors_are_what_kernels_make_of_them<R: Real>() {
             let facets = MultiLobe::new(mirror, R::ONE).expect("in range");
             let facets = facets.with_variation(R::ZERO).expect("in range");
             let pixel = facets.ndf(&dictionary, &Patch::default()).widened(&kernel);
-            // Midpoints of a parallelogram, whose corners are up to sqrt(6) deviations out, and some of the lobe beside it.
+            // Midpoints of a parallelogram, whose corners are up to sqrt(6) deviations out, and
+            // some of the lobe beside it.
             let (reach, nodes) = (2.5 * deviation + 0.6, 300);
             let mass = midpoints(reach, nodes, |slope| pixel.slope_pdf(slope.map(R::lit)).to_f64());
             // Sharp sides of a box of 3.5 deviations, of which midpoints miss half a step each.
@@ -88,7 +90,8 @@ fn the_horizon_is_dark() {
     }
 }
 
-/// Small texels are texels: in f32 a pixel is that of f64 at any scale of its texture, as long as it may be.
+/// Small texels are texels: in f32 a pixel is that of f64 at any scale of its texture, as long as
+/// it may be.
 #[test]
 fn the_scale_of_a_texture_is_no_matter() {
     let single = Dictionary::<f32>::new(&Recipe::default()).expect("valid");

@@ -1,4 +1,5 @@
-//! Many lobes at their limits: nothing jumps, nothing is no number, and what is out of range is refused (laws C10, B1).
+//! Many lobes at their limits: nothing jumps, nothing is no number, and what is out of range is
+//! refused (laws C10, B1).
 #![cfg(feature = "glint")]
 
 use crate::common::ODD;
@@ -20,14 +21,14 @@ fn assert_continuous(what: &str, pixel: impl Fn(f64) -> PatchNdf<'static, f64>) 
     for [x, y] in [[0.0, 0.0], [0.4, 0.3], [-0.9, 1.1], [1.6, -0.2]] {
         let slope = [a * x + b * y, c * y];
         let (p, q) = (before.slope_pdf(slope), after.slope_pdf(slope));
-        // A lobe's density changes by up to 1e3 times its peak from one of its deviations to the next: steps are no more than
-        // that. Of one cell that comes or goes at once 1e-2 is seen.
+        // A lobe's density changes by up to 1e3 times its peak from one of its deviations to the
+        // next: steps are no more than that. Of one cell that comes or goes at once 1e-2 is seen.
         assert!((p - q).abs() < 1e-5 * (1.0 + p), "{what}, at {x} {y}: {p} and {q}");
     }
 }
 
-/// Law C10: across levels, the smallest cell, the longest pixel, rims of the ellipse that meet a cell's middle, and borders of
-/// cells.
+/// Law C10: across levels, the smallest cell, the longest pixel, rims of the ellipse that meet a
+/// cell's middle, and borders of cells.
 #[test]
 fn pixels_change_as_little_as_they_move() {
     for seed in 0..40 {
@@ -57,7 +58,8 @@ fn pixels_change_as_little_as_they_move() {
             let (right, up) = turned(8.0 * (1.0 + step), 1.0);
             surface(3.0, seed).ndf(dictionary(), &Patch::new(uv, right, up))
         });
-        // Around a cell's middle a radius of sqrt(2) cells reaches those of the four that meet its corners.
+        // Around a cell's middle a radius of sqrt(2) cells reaches those of the four that meet its
+        // corners.
         assert_continuous("a rim", |step| {
             let side = 1.0 + step * SQRT_2;
             let patch = Patch::new([0.5, 0.5], [side, 0.0], [0.0, side]);
@@ -70,7 +72,8 @@ fn pixels_change_as_little_as_they_move() {
     }
 }
 
-/// The same of kernels: round ones that get long, a piece that gets one more beside it, or meets a table no more.
+/// The same of kernels: round ones that get long, a piece that gets one more beside it, or meets a
+/// table no more.
 #[test]
 fn kernels_change_as_little_as_they_grow() {
     let [l, m, n] = roughness().covariance().cholesky();

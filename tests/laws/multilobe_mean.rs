@@ -1,4 +1,5 @@
-//! Many lobes in the mean: over pixels they are the smooth lobe, with its covariance, and vary as stated (laws C7 to C9).
+//! Many lobes in the mean: over pixels they are the smooth lobe, with its covariance, and vary as
+//! stated (laws C7 to C9).
 #![cfg(feature = "glint")]
 
 use crate::common::arbitrary::Source;
@@ -17,8 +18,9 @@ fn published() -> &'static Dictionary<f64> {
     })
 }
 
-/// Deviations from the middle, by the mean over turns of two sums over marginals, $\int m(x) m(y)\, d\theta$: what a cell's
-/// density (or its square) is in the mean over all that it may draw, times the determinant, under a square kernel.
+/// Deviations from the middle, by the mean over turns of two sums over marginals, $\int m(x) m(y)\,
+/// d\theta$: what a cell's density (or its square) is in the mean over all that it may draw, times
+/// the determinant, under a square kernel.
 fn drawn(dictionary: &Dictionary<f64>, level: u32, radius: f64, width: f64, power: i32) -> f64 {
     let count = dictionary.recipe().marginals;
     let mean = |x: f64| {
@@ -32,14 +34,16 @@ fn drawn(dictionary: &Dictionary<f64>, level: u32, radius: f64, width: f64, powe
 /// A pixel of one level, whose five cells have $4^{level}$ facets each.
 const CELL: [[f64; 2]; 2] = [[1.0, 0.0], [0.0, 1.0]];
 
-/// Squares of the shares of these five cells: a radius of $\sqrt 2$ cells, so the middle and four at half the squared radius.
+/// Squares of the shares of these five cells: a radius of $\sqrt 2$ cells, so the middle and four
+/// at half the squared radius.
 fn shares_squared() -> f64 {
     let weight = |square: f64| (-2.0 * square).exp() - (-2.0_f64).exp();
     let [middle, side] = [0.0, 0.5].map(weight);
     (middle * middle + 4.0 * side * side) / (middle + 4.0 * side).powi(2)
 }
 
-/// Mean and relative variance over pixels, times the determinant, and the standard error of that mean, under a square kernel.
+/// Mean and relative variance over pixels, times the determinant, and the standard error of that
+/// mean, under a square kernel.
 fn seen(dictionary: &Dictionary<f64>, level: u32, radius: f64, width: f64, count: u32) -> [f64; 3] {
     let facets = MultiLobe::new(roughness(), 4.0_f64.powf(f64::from(level))).expect("in range");
     let facets = facets.with_variation(0.0).expect("in range");
@@ -63,8 +67,8 @@ fn smooth(radius: f64) -> f64 {
     (-0.5 * radius * radius).exp() / std::f64::consts::TAU
 }
 
-/// Law C7: the mean over pixels is that over all that cells may draw; and that is the smooth lobe but for the dictionary's
-/// bias, which as published is large.
+/// Law C7: the mean over pixels is that over all that cells may draw; and that is the smooth lobe
+/// but for the dictionary's bias, which as published is large.
 #[test]
 fn the_mean_over_pixels_is_the_smooth_lobe() {
     let (mut ours, mut theirs) = (0.0_f64, 0.0_f64);
@@ -85,7 +89,8 @@ fn the_mean_over_pixels_is_the_smooth_lobe() {
     assert!(theirs > 0.2, "{theirs}");
 }
 
-/// The same under square kernels, where cells have means over boxes; the last level, which is a Gaussian's, is higher at the peak.
+/// The same under square kernels, where cells have means over boxes; the last level, which is a
+/// Gaussian's, is higher at the peak.
 #[test]
 fn under_kernels_the_mean_is_that_of_boxes() {
     for width in [0.2, 1.4, 12.0_f64.sqrt(), 8.0] {
@@ -96,7 +101,8 @@ fn under_kernels_the_mean_is_that_of_boxes() {
             assert!((mean - want).abs() < 4.0 * error + 1e-12, "width {width}, {radius}");
         }
     }
-    // As documented: of a kernel of the lobe's deviation, and of one against which the lobe is nothing.
+    // As documented: of a kernel of the lobe's deviation, and of one against which the lobe is
+    // nothing.
     let over = |deviation: f64| {
         let width = 12.0_f64.sqrt() * deviation;
         let square = 1.0 + deviation * deviation;
@@ -106,8 +112,8 @@ fn under_kernels_the_mean_is_that_of_boxes() {
     assert!((over(100.0) - 6.0 / std::f64::consts::PI).abs() < 0.01, "{}", over(100.0));
 }
 
-/// Law C8: slopes have the covariance of the roughness, drawn over all pixels; under a kernel, however long, turned or
-/// correlated it or the lobe is, the sum of both.
+/// Law C8: slopes have the covariance of the roughness, drawn over all pixels; under a kernel,
+/// however long, turned or correlated it or the lobe is, the sum of both.
 #[test]
 fn slopes_have_the_covariance_that_they_should() {
     // What turns may take across: 4.7 % of the lobe, or a quarter of a piece that is not square.
@@ -138,7 +144,8 @@ fn slopes_have_the_covariance_that_they_should() {
         let got = second.map(|sum| sum / count as f64);
         let [xx, xy, yy] = roughness.covariance().entries();
         let want = [xx + kxx, xy + kxy, yy + kyy];
-        // In deviations of the sum: a matrix M with M W M^T = 1 makes of the difference what it is in proportion.
+        // In deviations of the sum: a matrix M with M W M^T = 1 makes of the difference what it is
+        // in proportion.
         let [a, b, c] = Psd::new(want[0], want[1], want[2]).expect("valid").cholesky();
         let [p, q, r] = [got[0] - want[0], got[1] - want[1], got[2] - want[2]];
         let u = p / (a * a);
@@ -153,8 +160,9 @@ fn slopes_have_the_covariance_that_they_should() {
     }
 }
 
-/// Law C9, with its figures: the relative variance of one cell at 0.79 deviations, by level. It is $(1 + v)^2 - 1$ of two
-/// independent axes, and from level 5 on halves with each: a product of two sums of $2^L$ lobes, no sum of $4^L$.
+/// Law C9, with its figures: the relative variance of one cell at 0.79 deviations, by level. It is
+/// $(1 + v)^2 - 1$ of two independent axes, and from level 5 on halves with each: a product of two
+/// sums of $2^L$ lobes, no sum of $4^L$.
 #[test]
 fn a_cell_varies_as_stated() {
     let stated = [
@@ -168,7 +176,8 @@ fn a_cell_varies_as_stated() {
             drawn(dictionary, level, radius, 0.0, 2) / (mean * mean) - 1.0
         });
         println!("level {level}: as published {}, ours {}, stated {stated}", exact[0], exact[1]);
-        // The figures are of another 192 marginals, and so are their own: what 192 squares vary by, where lobes show.
+        // The figures are of another 192 marginals, and so are their own: what 192 squares vary by,
+        // where lobes show.
         assert!((exact[0] / stated - 1.0).abs() < 0.2, "level {level}: {}", exact[0]);
         for k in 0..2 {
             let ratio = exact[k] / before[k];

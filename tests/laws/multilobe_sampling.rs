@@ -1,4 +1,5 @@
-//! Directions drawn by many lobes: chi-squared of slopes and of directions, the furnace, and weights of at most 1 (law C13).
+//! Directions drawn by many lobes: chi-squared of slopes and of directions, the furnace, and
+//! weights of at most 1 (law C13).
 #![cfg(feature = "glint")]
 #![allow(clippy::cast_sign_loss, reason = "bins are counted from 0")]
 
@@ -19,7 +20,8 @@ fn numbers(k: u64) -> [f64; 7] {
     [0.0; 7].map(|_| source.uniform(0.0, 1.0))
 }
 
-/// Pearson's test at p = 0.01: counts and expectations of all bins, of which small ones are taken together.
+/// Pearson's test at p = 0.01: counts and expectations of all bins, of which small ones are taken
+/// together.
 #[track_caller]
 fn assert_drawn(bins: &[[f64; 2]], what: &str) {
     let (large, small): (Vec<[f64; 2]>, Vec<[f64; 2]>) = bins.iter().partition(|bin| bin[1] > 5.0);
@@ -33,7 +35,8 @@ fn assert_drawn(bins: &[[f64; 2]], what: &str) {
     assert!(freedom > 10.0 && chi < limit, "{what}: {chi} of {freedom}, limit {limit}");
 }
 
-/// Slopes are drawn by the density, whatever widens it: bins of half a deviation, and one for all that is outside.
+/// Slopes are drawn by the density, whatever widens it: bins of half a deviation, and one for all
+/// that is outside.
 #[test]
 fn slopes_are_drawn_by_the_density() {
     const BINS: usize = 12;
@@ -86,8 +89,9 @@ fn leaning(kernel: &Kernel<f64>, facets: f64) -> MultiLobeShading<'static, f64> 
     material.bake(dictionary(), &patch, &moments, kernel)
 }
 
-/// Directions are drawn by the pdf, in the tangent frame, of ordinary views and of a grazing one; their mean weight is what
-/// the same light reflects by quadrature; and each is what the facade makes of its direction.
+/// Directions are drawn by the pdf, in the tangent frame, of ordinary views and of a grazing one;
+/// their mean weight is what the same light reflects by quadrature; and each is what the facade
+/// makes of its direction.
 #[test]
 fn directions_are_drawn_by_the_pdf() {
     // Bins of equal solid angle over the whole sphere: z, and the azimuth.

@@ -1,5 +1,6 @@
-//! Many lobes across scales: what a cell keeps of its finer one, how a pixel calms down, and that no axis is special (laws
-//! C11, C14 and B2; C15, of the cells' numbers, is in tests/laws/cells.rs and src/material/cells/cell.rs).
+//! Many lobes across scales: what a cell keeps of its finer one, how a pixel calms down, and that
+//! no axis is special (laws C11, C14 and B2; C15, of the cells' numbers, is in tests/laws/cells.rs
+//! and src/material/cells/cell.rs).
 #![cfg(feature = "glint")]
 
 use crate::common::arbitrary::Source;
@@ -21,8 +22,9 @@ fn moments(values: impl Iterator<Item = f64>) -> (f64, f64) {
     (mean, squares / count / (mean * mean) - 1.0)
 }
 
-/// Law C11, with its figures: a coarse cell has the numbers of the finer one at its corner, and the correlation of their
-/// densities falls as the coarse one gets four times the lobes from level to level.
+/// Law C11, with its figures: a coarse cell has the numbers of the finer one at its corner, and the
+/// correlation of their densities falls as the coarse one gets four times the lobes from level to
+/// level.
 #[test]
 fn a_coarse_cell_is_the_heir_of_a_finer_one() {
     for (s, t) in [(0, 0), (5, -3), (-7, 11), (1 << 19, 3)] {
@@ -90,7 +92,8 @@ fn a_quarter_turn_of_the_pixel_changes_no_statistics() {
     assert!((turned / variance - 1.0).abs() < 0.08, "{variance} {turned}");
 }
 
-/// Relative variance over pixels of this width on a surface of 64 facets per unit of area, all cells alike.
+/// Relative variance over pixels of this width on a surface of 64 facets per unit of area, all
+/// cells alike.
 fn variance(size: f64, count: u64) -> f64 {
     let roughness = Roughness::from_alpha(0.4).expect("in range");
     let facets =
@@ -106,8 +109,8 @@ fn variance(size: f64, count: u64) -> f64 {
     variance
 }
 
-/// Law B2: from octave to octave of a pixel's width its variance falls, and where there are many facets to a half: products of
-/// marginals vary as $2^{-L}$, not as $4^{-L}$.
+/// Law B2: from octave to octave of a pixel's width its variance falls, and where there are many
+/// facets to a half: products of marginals vary as $2^{-L}$, not as $4^{-L}$.
 #[test]
 fn growing_pixels_calm_down() {
     let variances: Vec<f64> =
@@ -120,7 +123,8 @@ fn growing_pixels_calm_down() {
     }
 }
 
-/// Within an octave it falls below its end, by 19 % of that, and rises again: a blend of two levels varies less than either.
+/// Within an octave it falls below its end, by 19 % of that, and rises again: a blend of two levels
+/// varies less than either.
 #[test]
 fn between_levels_pixels_are_calmer() {
     for octave in [3, 5] {
@@ -134,7 +138,8 @@ fn between_levels_pixels_are_calmer() {
     }
 }
 
-/// Numbers between powers of 4, which levels have, are drawn of both sides: variance falls with every one of them.
+/// Numbers between powers of 4, which levels have, are drawn of both sides: variance falls with
+/// every one of them.
 #[test]
 fn any_number_of_facets_counts() {
     let roughness = Roughness::from_alpha(0.4).expect("in range");
@@ -158,7 +163,8 @@ fn any_number_of_facets_counts() {
     }
 }
 
-/// Below the smallest cell nothing changes any more: all pixels within one facet's square see the same lobes.
+/// Below the smallest cell nothing changes any more: all pixels within one facet's square see the
+/// same lobes.
 #[test]
 fn close_up_there_are_no_more_facets() {
     let roughness = Roughness::from_alpha(0.4).expect("in range");

@@ -10,8 +10,8 @@ use lobe::{
 };
 use proptest::test_runner::TestCaseResult;
 
-/// Mass 1, in the lobe's own polar coordinates. Rounding a slope moves it by `blur` alphas; a density
-/// changes by less than a factor of 1 + 8 blur, averaged over the lobe.
+/// Mass 1, in the lobe's own polar coordinates. Rounding a slope moves it by `blur` alphas; a
+/// density changes by less than a factor of 1 + 8 blur, averaged over the lobe.
 fn has_mass_one<D: Known>(source: &mut Source) -> TestCaseResult {
     let input = source.lobe();
     let ndf = Ndf::<D, _>::new(input.lobe::<f64>().shape());
@@ -25,8 +25,8 @@ fn the_slope_density_integrates_to_one() {
     check(1000, has_mass_one::<BeckmannDistribution>);
 }
 
-/// statrs' densities err by some 1e-13 (its gamma function); the slope's rounding, `blur` alphas, enters
-/// by the logarithmic derivative: at most 2 |w| (Beckmann) or 2 (GGX).
+/// statrs' densities err by some 1e-13 (its gamma function); the slope's rounding, `blur` alphas,
+/// enters by the logarithmic derivative: at most 2 |w| (Beckmann) or 2 (GGX).
 fn is_the_known_density<D: Known>(source: &mut Source) -> TestCaseResult {
     let input = source.lobe();
     let w = source.vector(1e-3, 8.0);

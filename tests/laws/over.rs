@@ -1,4 +1,5 @@
-//! Laws of the BRDF over a footprint: its D is the pixel's mean of D, not the slope density's mean over h_z^4.
+//! Laws of the BRDF over a footprint: its D is the pixel's mean of D, not the slope density's mean
+//! over h_z^4.
 
 use crate::common::arbitrary::Source;
 use crate::common::quadrature::over_square;
@@ -8,7 +9,8 @@ use lobe::slope::direction::{normal_of, reflect};
 use lobe::{Anisotropic, AxisAligned, Footprint, Ggx, Isotropic, LobeShape, Psd, Roughness};
 use proptest::test_runner::TestCaseResult;
 
-/// D as [`lobe::Ndf::brdf_over`] has it: both directions mirrored at the half vector's normal, visibility divided out.
+/// D as [`lobe::Ndf::brdf_over`] has it: both directions mirrored at the half vector's normal,
+/// visibility divided out.
 fn shaded<S: LobeShape<Scalar = f64>>(ggx: &Ggx<S>, slope: [f64; 2], over: &Footprint<f64>) -> f64 {
     let m = normal_of(slope);
     // Both along the half vector: always above the surface.
@@ -48,7 +50,8 @@ fn an_isotropic_lobe_s_density_over_a_footprint_bounds_its_mean() {
     check(400, bounds_the_mean);
 }
 
-/// Got over mean for random centered lobes, slopes and footprints up to a limit, in increasing order.
+/// Got over mean for random centered lobes, slopes and footprints up to a limit, in increasing
+/// order.
 fn ratios(limit: f64, count: u64) -> Vec<f64> {
     let mut ratios: Vec<f64> = (0..count)
         .map(|seed| {
@@ -93,8 +96,8 @@ fn a_streak_keeps_its_brightness_along_itself() {
     }
 }
 
-/// A pixel near the silhouette: the half vector at the horizon, its footprint over the whole lobe. Kaplanyan's factor
-/// makes a firefly of it.
+/// A pixel near the silhouette: the half vector at the horizon, its footprint over the whole lobe.
+/// Kaplanyan's factor makes a firefly of it.
 #[test]
 fn a_half_vector_near_the_horizon_is_no_firefly() {
     let ggx = Ggx::new(Isotropic::new(0.01_f32).expect("in range"));

@@ -118,8 +118,8 @@ fn a_parallelogram_along_the_axes_is_a_rectangle() {
     });
 }
 
-/// Eight terms of at most pi/2, each with a few roundings and with corners rounded, over 2 pi w_x w_y:
-/// an absolute error, small against the mean unless the rectangle is small or far.
+/// Eight terms of at most pi/2, each with a few roundings and with corners rounded, over 2 pi w_x
+/// w_y: an absolute error, small against the mean unless the rectangle is small or far.
 #[test]
 fn a_rectangle_agrees_with_kaplanyans_appendix() {
     check(50_000, |source| {
@@ -171,8 +171,8 @@ fn a_footprint_around_all_of_the_lobe_has_mass_one() {
     });
 }
 
-/// A zero-area footprint is a limit, not a special case: continuous there. Over a sliver of relative
-/// thickness e the mean differs from the segment's by less than 2 e (length in alphas).
+/// A zero-area footprint is a limit, not a special case: continuous there. Over a sliver of
+/// relative thickness e the mean differs from the segment's by less than 2 e (length in alphas).
 #[test]
 fn a_sliver_tends_to_its_segment() {
     check(50_000, |source| {
@@ -190,7 +190,8 @@ fn a_sliver_tends_to_its_segment() {
     });
 }
 
-/// The product of two one-dimensional integrals of statrs-free formulas: e^{-t^2}/sqrt(pi), adaptive.
+/// The product of two one-dimensional integrals of statrs-free formulas: e^{-t^2}/sqrt(pi),
+/// adaptive.
 #[test]
 fn beckmann_over_a_rectangle_is_its_integral() {
     check(20_000, |source| {

@@ -1,6 +1,7 @@
 //! f32 agrees with f64 on inputs that are exactly f32, within budgets, over the whole domain.
 //!
-//! The budgets are requirements: a few roundings for GGX; for Beckmann, roundings times the exponent.
+//! The budgets are requirements: a few roundings for GGX; for Beckmann, roundings times the
+//! exponent.
 
 use crate::common::arbitrary::{LobeInput, Source};
 use crate::common::reference::Known;
@@ -282,11 +283,12 @@ fn literals_round_trip() {
     });
 }
 
-/// Of the BRDF over a footprint within ten alphas of the lobe: the mean's error, and that of the normals' height.
+/// Of the BRDF over a footprint within ten alphas of the lobe: the mean's error, and that of the
+/// normals' height.
 const OVER_BUDGET: f64 = 1e-4;
 
-/// The BRDF over a footprint, which takes its slope from the directions: a tilted narrow lobe shows whether
-/// their sum and its quotient keep their digits.
+/// The BRDF over a footprint, which takes its slope from the directions: a tilted narrow lobe shows
+/// whether their sum and its quotient keep their digits.
 fn brdf_over_agrees(source: &mut Source) -> TestCaseResult {
     let input = source.lobe();
     let (single, double) = both(&input);
@@ -307,7 +309,8 @@ fn brdf_over_agrees(source: &mut Source) -> TestCaseResult {
     let close =
         half[2] > 1e-3 && gap(&double, [-half[0] / half[2], -half[1] / half[2]], &wide) <= 10.0;
     let relative = if close { OVER_BUDGET } else { FAR_BUDGET };
-    // The height of the normals comes from 1 - sqrt(M), to 32 roundings, twice, which rough lobes multiply by alpha^2.
+    // The height of the normals comes from 1 - sqrt(M), to 32 roundings, twice, which rough lobes
+    // multiply by alpha^2.
     let rough = 64.0 * ULP_SINGLE * double.roughness().matrix().trace();
     agrees(got, exact.brdf_over(o, i, &wide), relative + rough, &inputs)?;
     // A footprint without extent is no footprint.
@@ -335,7 +338,8 @@ fn brdfs_over_footprints_make_no_fireflies() {
     assert_eq!(ggx.brdf_over([0.0, 0.0, 1.0], [0.6, 0.0, 0.8], &bad), 0.0);
 }
 
-/// Footprints of grazing half vectors have no bound: the mean stays one over the area, to 1e9 per side.
+/// Footprints of grazing half vectors have no bound: the mean stays one over the area, to 1e9 per
+/// side.
 #[test]
 fn means_over_huge_footprints_are_one_over_their_area() {
     let ggx = Ggx::new(lobe::Isotropic::new(0.1_f32).expect("an alpha"));

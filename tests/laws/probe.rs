@@ -8,8 +8,8 @@ use lobe::probe::{Counted, Fused, Operations, Rounded, operations_of};
 use lobe::{Beckmann, Footprint, Ggx, Kernel, Lobe, PixelFilter, Psd, Real, Roughness};
 use proptest::test_runner::TestCaseResult;
 
-/// Results of a scene: their names, and how far f64 lies from the formula of f32 without rounding: its own budget, and
-/// the error of fewer nodes.
+/// Results of a scene: their names, and how far f64 lies from the formula of f32 without rounding:
+/// its own budget, and the error of fewer nodes.
 const RESULTS: [(&str, f64); 8] = [
     ("ggx", 1e-9),
     ("beckmann", 1e-9),
@@ -115,8 +115,8 @@ fn the_truth_lies_within_the_bound() {
     check(50_000, truth_is_within);
 }
 
-/// What the bounds are worth: of `N` scenes the bounds over the values, increasing, and the largest error of another
-/// f32 over its bound.
+/// What the bounds are worth: of `N` scenes the bounds over the values, increasing, and the largest
+/// error of another f32 over its bound.
 fn tightness(other: impl Fn(&Scene) -> [f64; 8]) -> [(Vec<f64>, f64); 8] {
     let mut found = [(); 8].map(|()| (Vec::new(), 0.0_f64));
     for seed in 0..20_000 {
@@ -181,8 +181,8 @@ macro_rules! function {
     }};
 }
 
-/// Functions of a product that was rounded: its error passes through them. f64 is the reference, which
-/// tests/laws/scalar.rs holds.
+/// Functions of a product that was rounded: its error passes through them. f64 is the reference,
+/// which tests/laws/scalar.rs holds.
 #[test]
 fn functions_pass_errors_on() {
     let functions: [Function; 8] = [

@@ -65,7 +65,8 @@ fn papers_equations(source: &mut Source) -> TestCaseResult {
     let a = entries(input);
     let k = added(steps);
     let Some(want) = by_inverses(a, k) else { return Ok(()) };
-    // Inverses amplify rounding by the condition of what they invert, and once more where 1 - a cancels.
+    // Inverses amplify rounding by the condition of what they invert, and once more where 1 - a
+    // cancels.
     let [major, minor] = eigenvalues(a);
     let [largest, _] = eigenvalues([k[(0, 0)], k[(0, 1)], k[(1, 1)]]);
     let condition = (largest + major / (1.0 - major)) / minor;
@@ -118,7 +119,8 @@ fn single_is_double(source: &mut Source) -> TestCaseResult {
     let double = roughness::<f64>(input).widened_on_disk(&kernel(steps)).matrix();
     let single = roughness::<f32>(input).widened_on_disk(&kernel(steps)).matrix();
     let inputs = (input, steps);
-    // Constructing A at rho = 0.9999 costs f32 1e-3 of its determinant: here nothing more may be lost.
+    // Constructing A at rho = 0.9999 costs f32 1e-3 of its determinant: here nothing more may be
+    // lost.
     let condition = 1.0 / ((1.0 - input[2].abs()).sqrt()).max(1e-2);
     let tolerance = 32.0 * ULP_SINGLE * condition;
     let root = double.root_det();
@@ -177,7 +179,8 @@ fn along_the_axes_the_matrix_is_two_scalars() {
     check(20_000, scalar_is_matrix);
 }
 
-/// At alpha = 1 and beyond an axis stays, and the other axis sees the kernel as in the limit from below.
+/// At alpha = 1 and beyond an axis stays, and the other axis sees the kernel as in the limit from
+/// below.
 fn rough_axes(source: &mut Source) -> TestCaseResult {
     let steps = steps(source);
     let angle = source.angle();

@@ -22,10 +22,11 @@ fn axes(u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
     if long > 0.0 { [long * long, (area / long) * (area / long)] } else { [0.0; 2] }
 }
 
-/// The peak of the unit GGX under the Gaussian with 2 Sigma = diag(a, b), in units of its own, 1/pi.
+/// The peak of the unit GGX under the Gaussian with 2 Sigma = diag(a, b), in units of its own,
+/// 1/pi.
 ///
-/// The convolution in polar coordinates, u half the squared radius in deviations; the mean over angles of
-/// 1/(p + q cos)^2 is p/(p^2 - q^2)^(3/2). With u = e^y analytic for |Im y| < pi/2.
+/// The convolution in polar coordinates, u half the squared radius in deviations; the mean over
+/// angles of 1/(p + q cos)^2 is p/(p^2 - q^2)^(3/2). With u = e^y analytic for |Im y| < pi/2.
 fn gaussian_peak([a, b]: [f64; 2]) -> f64 {
     let mut over_u = |y: f64| {
         let u = y.exp();
@@ -35,7 +36,8 @@ fn gaussian_peak([a, b]: [f64; 2]) -> f64 {
     trapezoid(&mut over_u, 36.0 + (1.0 + a).ln(), 0.2)
 }
 
-/// The mean of the unit GGX over +- u/2 +- v/2, in units of its peak: exact along the longer side, adaptive across.
+/// The mean of the unit GGX over +- u/2 +- v/2, in units of its peak: exact along the longer side,
+/// adaptive across.
 fn polygon_peak(u: [f64; 2], v: [f64; 2]) -> f64 {
     let square = |w: [f64; 2]| w[0] * w[0] + w[1] * w[1];
     let (long, across) = if square(u) >= square(v) { (u, v) } else { (v, u) };

@@ -1,4 +1,5 @@
-//! Limits of proxies and kernels: monotone, total, the same in both precisions, and what no proxy has: the tail.
+//! Limits of proxies and kernels: monotone, total, the same in both precisions, and what no proxy
+//! has: the tail.
 #![cfg(feature = "published")]
 
 use crate::common::arbitrary::Source;
@@ -166,7 +167,8 @@ fn square_roots_of_sums_err_as_stated() {
     assert!((0.85 * 0.0055..=0.0055).contains(&farthest), "{farthest}, stated: 0.55 %");
 }
 
-/// Far out GGX under a Gaussian is GGX, alpha^2/(pi s^4); a proxy there is as bright as its own alpha.
+/// Far out GGX under a Gaussian is GGX, alpha^2/(pi s^4); a proxy there is as bright as its own
+/// alpha.
 #[test]
 fn proxies_lack_the_tail() {
     let (alpha, sigma) = (0.05_f64, 0.1);

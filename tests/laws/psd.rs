@@ -86,7 +86,8 @@ fn outer_sums<R: Real>(source: &mut Source) -> TestCaseResult {
         (t * t + base * v[0] * v[0]) / xx
     };
     let want = base + adjugate(u) + adjugate(v) + cross * cross;
-    // The kernel's rounded entries, if it lies along a thin lobe, tilt it by an ulp; and f64's rounding.
+    // The kernel's rounded entries, if it lies along a thin lobe, tilt it by an ulp; and f64's
+    // rounding.
     let eps = R::EPSILON.to_f64();
     let reach = kernel.trace().to_f64();
     let tilt = few * eps * (xx + yy) * reach + 8.0 * few * (want * (base + cross * cross)).sqrt();
@@ -156,8 +157,8 @@ fn raw_moments_give_the_covariance_back() {
         let moments = SlopeMoments::from_raw([x, y], raw).expect("finite moments");
         let inputs = (m, x, y);
         is_covariance(&moments.covariance(), &inputs)?;
-        // Rounding of the raw moments moves each entry by an ulp of theirs; mending moves it no further
-        // than as much again.
+        // Rounding of the raw moments moves each entry by an ulp of theirs; mending moves it no
+        // further than as much again.
         let tolerance = 4.0 * ULP * (raw[0] + raw[2]);
         near_all(&moments.covariance().entries(), &[xx, xy, yy], tolerance, &inputs)
     });

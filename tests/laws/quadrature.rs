@@ -5,7 +5,8 @@
 use lobe::material::leadr::{Leadr, Quadrature};
 use lobe::{Lobe, Roughness};
 
-/// Largest |S/sigma - 1| of a grid over deviations from 0.05 to 4 and eyes from above to the mean plane's horizon.
+/// Largest |S/sigma - 1| of a grid over deviations from 0.05 to 4 and eyes from above to the mean
+/// plane's horizon.
 fn bias<const N: usize>(grid: &Quadrature<f64, N>) -> f64 {
     let mut worst = 0.0_f64;
     for step in 0..=12 {

@@ -42,7 +42,8 @@ fn a_step_is_where_the_neighboring_ray_meets_the_plane() {
     });
 }
 
-/// The disk of the cone's width across the ray, carried along the ray onto the plane, by any two of its radii.
+/// The disk of the cone's width across the ray, carried along the ray onto the plane, by any two of
+/// its radii.
 #[test]
 fn steps_of_a_cone_span_its_ellipse() {
     check(20_000, |source| {
@@ -106,7 +107,8 @@ fn single_precision_agrees_with_double() {
     });
 }
 
-/// At and below the horizon a step ends at a height of 1e-9, and straight from above any azimuth will do.
+/// At and below the horizon a step ends at a height of 1e-9, and straight from above any azimuth
+/// will do.
 #[test]
 fn steps_at_the_ends_are_numbers() {
     for z in [0.0_f32, -0.5, 1e-20] {

@@ -1,4 +1,5 @@
-//! Filters and densities know no axes: turn lobe, footprint and slope together, and nothing changes.
+//! Filters and densities know no axes: turn lobe, footprint and slope together, and nothing
+//! changes.
 //!
 //! The law that finds a transposed kernel, a Gram matrix, and a clamp along the frame's axes.
 
@@ -19,7 +20,8 @@ fn outer(vectors: [[f64; 2]; 2]) -> Psd<f64> {
     Psd::outer_sum(vectors[0], vectors[1])
 }
 
-/// A lobe by alphas along its axes and their angle, so that its determinant is the same at every angle.
+/// A lobe by alphas along its axes and their angle, so that its determinant is the same at every
+/// angle.
 #[derive(Clone, Copy, Debug)]
 struct Turnable {
     alphas: [f64; 2],
@@ -45,8 +47,9 @@ impl Turnable {
         [self.mean[0] + offset[0], self.mean[1] + offset[1]]
     }
 
-    /// Relative error of a density whose slope, of size `reach`, and whose axes are rounded: a shift of
-    /// so many smaller alphas, times the logarithmic derivative, at most 2 (1 + `distance`).
+    /// Relative error of a density whose slope, of size `reach`, and whose axes are rounded: a
+    /// shift of so many smaller alphas, times the logarithmic derivative, at most 2 (1 +
+    /// `distance`).
     fn slack(&self, reach: f64, distance: f64) -> f64 {
         let [x, y] = self.alphas;
         let length = |v: [f64; 2]| v[0].hypot(v[1]);
@@ -95,8 +98,8 @@ fn masking_turns<D: Known>(source: &mut Source) -> TestCaseResult {
         let ndf = Ndf::<D, _>::new(lobe.turned(angle).shape());
         [ndf.projected_area(wo), ndf.projected_area(wi)]
     };
-    // c and a err by a few roundings of their terms, and the area's derivatives are below 1. Across a
-    // ridge, a has the rounding of the axes times the larger alpha.
+    // c and a err by a few roundings of their terms, and the area's derivatives are below 1. Across
+    // a ridge, a has the rounding of the axes times the larger alpha.
     let [x, y] = lobe.alphas;
     let size = 1.0 + x.max(y) + lobe.mean[0].hypot(lobe.mean[1]);
     near_all(&at(angle), &at(0.0), 16.0 * ULP * size, &(D::NAME, lobe, pair, angle))
@@ -168,8 +171,8 @@ fn widened_and_capped_lobes_turn_with_their_kernel() {
         let products = still.det() + (base + added) * added;
         let tolerances = [32.0 * ULP * (base + added), 64.0 * ULP * products];
         same_matrix(&turned, &still, angle, tolerances, &inputs)?;
-        // The smaller eigenvalue, det/major, has the error of the determinant's root, some ulp of the
-        // trace, times twice that root over the trace.
+        // The smaller eigenvalue, det/major, has the error of the determinant's root, some ulp of
+        // the trace, times twice that root over the trace.
         let error = 32.0 * ULP * (still_cap.trace() + kernel.root_det());
         let tolerances = [error, 2.0 * error * still_cap.trace()];
         same_matrix(&turned_cap, &still_cap, angle, tolerances, &inputs)

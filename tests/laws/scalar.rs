@@ -42,7 +42,8 @@ fn exp_is_exp() {
     check(50_000, |source| exponentials::<f32>(source, 87.0));
 }
 
-/// A positive number: any, near 1, subnormal, or at a power of two or of root two, where the reduction steps.
+/// A positive number: any, near 1, subnormal, or at a power of two or of root two, where the
+/// reduction steps.
 fn positive<R: Real>(source: &mut Source) -> R {
     let (least, largest) = (R::MIN_POSITIVE.to_f64(), R::MAX.to_f64());
     let power = |exponent: u64| f64::from(exponent as u32).exp2();
@@ -89,7 +90,8 @@ fn ln_is_ln() {
     check(100_000, logarithms::<f32>);
 }
 
-/// e^x E_2(x) = 1 - x e^x E_1(x), by what is made of it: alpha'^2 = k/(e^x E_2(x)), k = 2 sigma^2, x = alpha^2/k.
+/// e^x E_2(x) = 1 - x e^x E_1(x), by what is made of it: alpha'^2 = k/(e^x E_2(x)), k = 2 sigma^2,
+/// x = alpha^2/k.
 fn exponential_integrals<R: Real>(source: &mut Source) -> TestCaseResult {
     let (alpha, sigma) = match source.pick(4) {
         0 => (source.alpha(), source.alpha()),
@@ -109,7 +111,8 @@ fn exponential_integrals<R: Real>(source: &mut Source) -> TestCaseResult {
     };
     let reach = 36.0 + x.ln().abs();
     let want = alpha / trapezoid(&mut integrand, reach, 0.0625).sqrt();
-    // Near x = 1 the series multiplies a rounding by five; the reference, a sum of a thousand terms, errs by 2e-15.
+    // Near x = 1 the series multiplies a rounding by five; the reference, a sum of a thousand
+    // terms, errs by 2e-15.
     near(proxy, want, (2.0 * FEW * R::EPSILON.to_f64() + 2e-15) * want, &(alpha, sigma, x))
 }
 
@@ -156,8 +159,8 @@ fn erfc_and_erfcx_are_theirs() {
     check(50_000, |source| complements::<f32>(source, 9.2));
 }
 
-/// ierfcx(x) = (2/sqrt pi) integral over t > 0 of t e^(-t^2 - 2 x t): no cancellation. With t = e^y, the
-/// integrand is analytic for |Im y| < pi/4.
+/// ierfcx(x) = (2/sqrt pi) integral over t > 0 of t e^(-t^2 - 2 x t): no cancellation. With t =
+/// e^y, the integrand is analytic for |Im y| < pi/4.
 fn integrals<R: Real>(source: &mut Source) -> TestCaseResult {
     let x: R = number::<R>(source, 1e3).abs();
     let exact = x.to_f64();

@@ -1,5 +1,5 @@
-//! The facade and its Fresnel terms: what they promise, against complex arithmetic and the parts they are
-//! made of.
+//! The facade and its Fresnel terms: what they promise, against complex arithmetic and the parts
+//! they are made of.
 
 use crate::common::arbitrary::Source;
 use crate::common::{check, ensure, near};

@@ -1,4 +1,5 @@
-//! Texels in and out: decoding with a cap, heights, and stored moments with the alpha floors they state.
+//! Texels in and out: decoding with a cap, heights, and stored moments with the alpha floors they
+//! state.
 #![cfg(feature = "lean")]
 #![allow(clippy::cast_sign_loss, reason = "codes are made of numbers that are not negative")]
 
@@ -136,7 +137,8 @@ fn moments(source: &mut Source, range: f64) -> SlopeMoments<f32> {
     SlopeMoments::new(mean.map(|x| x as f32), Psd::nearest(xx, xy, yy)).expect("moments")
 }
 
-/// Largest error of an entry of the covariance over many texels, as an alpha; the mean within `step`.
+/// Largest error of an entry of the covariance over many texels, as an alpha; the mean within
+/// `step`.
 fn worst(layout: &impl Storage, range: f64, step: f64) -> f64 {
     let mut worst = 0.0_f64;
     for seed in 0..200_000 {
@@ -194,7 +196,8 @@ fn layouts_keep_their_alpha_floors() {
 
 #[test]
 fn two_slopes_at_the_ends_of_the_range_are_no_mirror() {
-    // Nearly all at one end, a few at the other: the mean rounds to the end, where no variance would fit.
+    // Nearly all at one end, a few at the other: the mean rounds to the end, where no variance
+    // would fit.
     for (layout_range, share) in [(1.0_f32, 7.66e-6_f64), (8.0, 1e-5), (0.3, 5e-6)] {
         let range = f64::from(layout_range);
         let (mean, variance) =

@@ -1,5 +1,5 @@
-//! Pixels by tile and fraction have the cells of the exact coordinate, and every tile has equal statistics; plain coordinates of
-//! f32 keep their glints as far as the documentation says.
+//! Pixels by tile and fraction have the cells of the exact coordinate, and every tile has equal
+//! statistics; plain coordinates of f32 keep their glints as far as the documentation says.
 #![cfg(feature = "glint")]
 #![allow(clippy::incompatible_msrv, reason = "tests need a newer compiler, for their oracles")]
 
@@ -51,7 +51,8 @@ fn two_to(k: i32) -> f64 {
     f64::powi(2.0, k)
 }
 
-/// A pixel whose sides are powers of two, square or long, so that no operation on its coordinates rounds.
+/// A pixel whose sides are powers of two, square or long, so that no operation on its coordinates
+/// rounds.
 fn dyadic<R: Real>(source: &mut Source, size: i32, tile: [i32; 2], uv: [f64; 2]) -> Patch<R> {
     let (short, long) = (two_to(size), two_to(size + source.pick(4) as i32));
     let (right, up) = if source.pick(2) == 0 { (short, long) } else { (long, short) };
@@ -62,7 +63,8 @@ fn dyadic<R: Real>(source: &mut Source, size: i32, tile: [i32; 2], uv: [f64; 2])
 fn plain_and_tiled_agree<R: Real>() {
     check(20_000, |source| {
         let tile = [0, 1].map(|_| source.pick(1 << 10) as i32 - (1 << 9));
-        // From cells that plain coordinates of f32 resolve to cells larger than all of these tiles; eighths of a cell.
+        // From cells that plain coordinates of f32 resolve to cells larger than all of these tiles;
+        // eighths of a cell.
         let size = source.pick(24) as i32 - 9;
         let bits = 6.max(3 - size);
         let uv = [0, 1].map(|_| source.pick(1 << bits) as f64 * two_to(-bits));
@@ -85,7 +87,8 @@ fn a_place_has_the_same_cells_as_a_plain_coordinate_and_in_a_tile() {
     plain_and_tiled_agree::<f64>();
 }
 
-/// In f64 a pixel of any shape, size and turn has equal cells by plain coordinates and in a tile, to 1e-9 of a share.
+/// In f64 a pixel of any shape, size and turn has equal cells by plain coordinates and in a tile,
+/// to 1e-9 of a share.
 #[test]
 fn any_pixel_has_the_same_cells_as_a_plain_coordinate_and_in_a_tile() {
     check(20_000, |source| {
@@ -106,7 +109,8 @@ fn any_pixel_has_the_same_cells_as_a_plain_coordinate_and_in_a_tile() {
     });
 }
 
-/// A tile is the first one moved: indices of cells that divide a tile move by whole tiles, shares are equal to the bit.
+/// A tile is the first one moved: indices of cells that divide a tile move by whole tiles, shares
+/// are equal to the bit.
 fn tiles_are_the_first_one_moved<R: Real>() {
     check(20_000, |source| {
         let tile = tile(source);
@@ -114,7 +118,8 @@ fn tiles_are_the_first_one_moved<R: Real>() {
         let size = source.log_uniform(two_to(-19), 0.5);
         let vector = |source: &mut Source| source.vector(0.3 * size, size).map(R::lit);
         let (right, up) = (vector(source), vector(source));
-        // A cell's turn is its own, so shares differ from tile to tile; which cells a pixel covers does not.
+        // A cell's turn is its own, so shares differ from tile to tile; which cells a pixel covers
+        // does not.
         let places = |tile: [i32; 2]| -> HashSet<_> {
             let cells = cells(&Patch::in_tile(tile, uv, right, up), [R::ONE; 2], 1e-12).into_iter();
             let moved = cells.map(|cell| {
@@ -135,7 +140,8 @@ fn far_tiles_have_as_sound_cells_as_the_first() {
     tiles_are_the_first_one_moved::<f64>();
 }
 
-/// A pixel on a border is one pixel, from whichever side it is given, and cells larger than tiles know no border.
+/// A pixel on a border is one pixel, from whichever side it is given, and cells larger than tiles
+/// know no border.
 #[test]
 fn a_border_is_seen_alike_from_both_sides() {
     check(20_000, |source| {
@@ -220,7 +226,8 @@ fn statistics(count: u32, value: impl Fn([f64; 2]) -> f64) -> (f64, f64, f64, f6
     (count, mean, second.sqrt(), 0.5 * ((fourth - second * second) / count / second).sqrt())
 }
 
-/// A pixel of width 1e-3 over five details, each of which reflects at the top with a probability of 1/400, in f32.
+/// A pixel of width 1e-3 over five details, each of which reflects at the top with a probability of
+/// 1/400, in f32.
 fn sparkle(tile: [i32; 2], uv: [f64; 2]) -> f64 {
     sparkle_of([0.6, 0.6], tile, uv)
 }
@@ -253,7 +260,8 @@ fn glints_are_as_bright_and_as_varied_in_any_tile() {
     }
 }
 
-/// Stretched details have shares in a far tile that a pixel in f64 has, to what rounding does to a fraction of a cell.
+/// Stretched details have shares in a far tile that a pixel in f64 has, to what rounding does to a
+/// fraction of a cell.
 #[test]
 fn stretched_tiles_in_single_precision_are_those_in_double() {
     check(20_000, |source| {
@@ -274,14 +282,16 @@ fn stretched_tiles_in_single_precision_are_those_in_double() {
         });
         for key in one.keys().chain(other.keys()) {
             let share = |of: &HashMap<_, f64>| of.get(key).copied().unwrap_or(0.0);
-            // 2^-22 of a fraction is 2^-9 of the smallest cell, along each of two axes, of shares up to 1 and their sum.
+            // 2^-22 of a fraction is 2^-9 of the smallest cell, along each of two axes, of shares
+            // up to 1 and their sum.
             near(share(&one), share(&other), two_to(-7), &(double, factor, key))?;
         }
         Ok(())
     });
 }
 
-/// Pixels smaller than indices of 64 bits can tell apart have cells of 2^-31 of a tile, but in the first one.
+/// Pixels smaller than indices of 64 bits can tell apart have cells of 2^-31 of a tile, but in the
+/// first one.
 #[test]
 fn cells_end_where_indices_do() {
     let grid =
@@ -295,7 +305,8 @@ fn cells_end_where_indices_do() {
     }
 }
 
-/// No tile repeats the first one: neither its neighbors nor tiles whose indices differ by multiples of 2^32.
+/// No tile repeats the first one: neither its neighbors nor tiles whose indices differ by multiples
+/// of 2^32.
 #[test]
 fn tiles_are_independent() {
     // Cells of width 1e-3 are 2^-10 and 2^-9, so 2^22 tiles are 2^32 of the finer cells.
@@ -339,8 +350,8 @@ fn facets_are_as_bright_and_as_varied_in_any_tile() {
     }
 }
 
-/// The limit that [`Patch::new`] states: up to 2^20 widths from the origin plain coordinates have their glints; farther, cells
-/// grow with the distance, and the deviation falls like one over it.
+/// The limit that [`Patch::new`] states: up to 2^20 widths from the origin plain coordinates have
+/// their glints; farther, cells grow with the distance, and the deviation falls like one over it.
 #[test]
 fn plain_coordinates_keep_their_glints_for_a_million_widths() {
     let plain = |distance: f64, uv: [f64; 2]| sparkle([0; 2], uv.map(|x| x + distance));
@@ -349,8 +360,8 @@ fn plain_coordinates_keep_their_glints_for_a_million_widths() {
     for (distance, times) in [(0.9 * limit, 1.0), (4.0 * limit, 4.0), (10_000.0, 10_000.0 / limit)]
     {
         let (_, _, deviation, error) = statistics(40_000, |uv| plain(distance, uv));
-        // Between two sizes a square pixel has 0.36 to 0.51 of its details' variance (tests/laws/glints.rs), so deviations at
-        // two distances differ by a factor of up to 1.19.
+        // Between two sizes a square pixel has 0.36 to 0.51 of its details' variance
+        // (tests/laws/glints.rs), so deviations at two distances differ by a factor of up to 1.19.
         let ratio = deviation * times / near;
         let slack = 4.5 * (error * times).hypot(near_error) / near;
         assert!(

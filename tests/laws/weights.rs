@@ -1,4 +1,5 @@
-//! Mip chains by weights: covered texels alone make every level, and nothing depends on a texel without weight.
+//! Mip chains by weights: covered texels alone make every level, and nothing depends on a texel
+//! without weight.
 #![cfg(feature = "lean")]
 
 use crate::common::arbitrary::Source;
@@ -137,7 +138,8 @@ fn every_texel_is_the_weighted_merge_of_what_it_covers() {
                 if weight > 0.0 {
                     agrees(&got, (mean, covariance), &inputs)?;
                 } else {
-                    // The coarser texel's moments, to the bit: the last one of an odd side covers three.
+                    // The coarser texel's moments, to the bit: the last one of an odd side covers
+                    // three.
                     let [columns, rows] = chain.size(level + 1);
                     let (x, y) = ((column / 2).min(columns - 1), (row / 2).min(rows - 1));
                     ensure(got == chain.texel(level + 1, x, y), "filled", &inputs)?;
@@ -155,8 +157,9 @@ fn every_texel_is_the_weighted_merge_of_what_it_covers() {
     });
 }
 
-/// The end of a light island: shares of $2^{-9}$ on nine levels leave the first texel of level 9 a weight of 4e-33, too small
-/// for f32 to divide by. It counts as none, and the texel has the moments of the coarser one.
+/// The end of a light island: shares of $2^{-9}$ on nine levels leave the first texel of level 9 a
+/// weight of 4e-33, too small for f32 to divide by. It counts as none, and the texel has the
+/// moments of the coarser one.
 #[test]
 fn a_weight_too_small_to_divide_by_is_none() {
     let size = [(1 << 18) - 1, 1];
@@ -274,7 +277,8 @@ fn lookups_weigh_their_texels() {
 
 #[test]
 fn a_long_footprint_sees_islands_only() {
-    // Columns of slope 1 and -1 in turn are covered at the left, the right half holds steep garbage.
+    // Columns of slope 1 and -1 in turn are covered at the left, the right half holds steep
+    // garbage.
     let slopes: Vec<[f64; 2]> = (0..64 * 64)
         .map(|k| if k % 64 < 32 { [1.0 - 2.0 * f64::from(k % 2), 0.0] } else { [-7.0, 9.0] })
         .collect();

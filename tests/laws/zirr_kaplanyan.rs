@@ -1,4 +1,5 @@
-//! The published model does what it is said to do, mistakes included; each stands beside ours, which does not.
+//! The published model does what it is said to do, mistakes included; each stands beside ours,
+//! which does not.
 #![cfg(feature = "glint")]
 
 use crate::common::arbitrary::Source;
@@ -41,8 +42,9 @@ fn moments(draw: impl Fn(f64) -> f64) -> (f64, f64) {
     (sums[0], sums[1] - sums[0] * sums[0])
 }
 
-/// Below a mean of 5 the published draw is right to 2 % in the mean and 8 % in the variance; above, half of it is
-/// missing. With the figures stated for it: variance ratio 0.50, and quantiles at 5 that fall from 8.86 to 7.60.
+/// Below a mean of 5 the published draw is right to 2 % in the mean and 8 % in the variance; above,
+/// half of it is missing. With the figures stated for it: variance ratio 0.50, and quantiles at 5
+/// that fall from 8.86 to 7.60.
 #[test]
 fn the_normal_branch_has_half_its_variance() {
     for mean in [0.01, 0.3, 1.7, 3.0, 4.9] {
@@ -100,7 +102,8 @@ fn at_grazing_half_vectors_the_mean_is_too_low() {
     assert!((sum / 2000.0 - 1.0).abs() < 0.05, "{}", sum / 2000.0);
 }
 
-/// A light's radius adds a haze over all half vectors: with the demonstration's numbers 4 % of the peak.
+/// A light's radius adds a haze over all half vectors: with the demonstration's numbers 4 % of the
+/// peak.
 #[test]
 fn a_light_adds_a_haze() {
     let model = published(0.6, 0.024, 1e4);
@@ -135,8 +138,8 @@ fn size_variation_gains_energy() {
     }
 }
 
-/// Indices shifted along each axis by itself: cells that are twice as far from the origin, which the code moves by 100, are
-/// the same, for any half vector.
+/// Indices shifted along each axis by itself: cells that are twice as far from the origin, which
+/// the code moves by 100, are the same, for any half vector.
 #[test]
 fn distant_cells_repeat() {
     let model = published(0.6, 0.1, 1000.0);
@@ -169,7 +172,8 @@ fn parts_of_details_are_brighter_than_details() {
 /// Calls a function with every cell of a pixel.
 type Visit<'a> = dyn Fn(&Patch<f64>, &mut dyn FnMut(CoveredCell<f64>)) + 'a;
 
-/// Columns along the longer median: where the other becomes longer, they are elsewhere at once. Ours are not.
+/// Columns along the longer median: where the other becomes longer, they are elsewhere at once.
+/// Ours are not.
 #[test]
 fn columns_jump_where_medians_change() {
     let model = published(0.6, 0.5, 1e6);

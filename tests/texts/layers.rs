@@ -25,14 +25,14 @@ fn layer_of(name: &str) -> Option<u8> {
     LAYERS.iter().find(|(layer, _)| *layer == name).map(|&(_, number)| number)
 }
 
-/// All Rust files below `folder`.
-fn rust_files(folder: &Path) -> Vec<PathBuf> {
+/// All files of this extension below `folder`; none if there is no such folder.
+fn files_below(folder: &Path, wanted: &str) -> Vec<PathBuf> {
     let mut files = Vec::new();
-    for entry in fs::read_dir(folder).expect("a readable folder") {
+    for entry in fs::read_dir(folder).into_iter().flatten() {
         let path = entry.expect("a readable entry").path();
         if path.is_dir() {
-            files.extend(rust_files(&path));
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.extend(files_below(&path, wanted));
+        } else if path.extension().is_some_and(|extension| extension == wanted) {
             files.push(path);
         }
     }
@@ -47,7 +47,7 @@ fn sources() -> Vec<(String, String)> {
         let name = path.strip_prefix(&src).expect("below src").to_string_lossy().replace('\\', "/");
         (name, fs::read_to_string(&path).expect("a readable file"))
     };
-    rust_files(&src).into_iter().map(read).collect()
+    files_below(&src, "rs").into_iter().map(read).collect()
 }
 
 /// The code of a file: comments blanked, lines kept.
@@ -153,4 +153,31 @@ fn the_layer_law_notices_a_climb() {
     assert_eq!(complaints("attic/a.rs", "").len(), 1);
     assert!(complaints("filter/a.rs", "use crate::slope::Lobe; // not crate::shade\n").is_empty());
     assert!(complaints("ndf/a.rs", "/// [`Kernel`](crate::Kernel)\n").is_empty());
+}
+
+/// No line is longer than the columns that `rustfmt.toml` declares: rustfmt leaves comments,
+/// strings, macros and WGSL as they are.
+#[test]
+fn no_line_is_longer_than_declared() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let declared = fs::read_to_string(root.join("rustfmt.toml")).expect("a readable file");
+    let width = declared.lines().find_map(|line| line.strip_prefix("max_width = "));
+    let width: usize = width.and_then(|number| number.parse().ok()).expect("a number of columns");
+    let mut files = Vec::new();
+    for folder in ["src", "tests", "benches", "examples", "fuzz/src", "fuzz/fuzz_targets"] {
+        for extension in ["rs", "wgsl"] {
+            files.extend(files_below(&root.join(folder), extension));
+        }
+    }
+    let long: Vec<String> = files
+        .iter()
+        .flat_map(|file| {
+            let text = fs::read_to_string(file).expect("a readable file");
+            let numbered = text.lines().enumerate();
+            let long = numbered.filter(|(_, line)| line.chars().count() > width);
+            long.map(|(at, _)| format!("{}:{}", file.display(), at + 1)).collect::<Vec<_>>()
+        })
+        .collect();
+    assert!(long.is_empty(), "lines beyond {width} columns:\n{}", long.join("\n"));
+    assert!(files.len() > 300, "only {} files found", files.len());
 }

@@ -1,4 +1,5 @@
-//! What is written rather than computed: the texts of the WGSL port, the layers of `src`, tables in the documentation.
+//! What is written rather than computed: the texts of the WGSL port, the layers of `src`, tables in
+//! the documentation.
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -1,4 +1,5 @@
-//! Tests by folder: a file that its folder's `main.rs` does not name is never compiled, and its tests never run.
+//! Tests by folder: a file that its folder's `main.rs` does not name is never compiled, and its
+//! tests never run.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,5 @@
-//! The WGSL port's bijection: each public function has its twin or a reason, docs name each other, constants are bit-equal.
+//! The WGSL port's bijection: each public function has its twin or a reason, docs name each other,
+//! constants are bit-equal.
 #![cfg(all(feature = "wgsl", feature = "published", feature = "glint"))]
 #![allow(clippy::incompatible_msrv, reason = "tests need a newer compiler, for their oracles")]
 
@@ -253,36 +254,37 @@ fn public_constant(twin: &str) -> Option<f32> {
 
 /// The table of names that the documentation of `lobe::wgsl::names` shows.
 fn names() -> String {
-    let mut text = String::from("| Rust | WGSL |\n|---|---|\n");
-    let row = |text: &mut String, rust: &str, wgsl: &str| {
-        text.push_str(&format!("| `{rust}` | `{wgsl}` |\n"));
-    };
+    let mut rows = vec!["| Rust | WGSL |".to_owned(), "|---|---|".to_owned()];
     let all = rust_files();
-    let (mut alone, structs) = (Vec::new(), |name: &str| {
-        all.iter().any(|(_, text)| aliases(text).iter().any(|alias| alias == name))
-    });
+    let given =
+        |name: &str| all.iter().any(|(_, text)| aliases(text).iter().any(|alias| alias == name));
+    let mut alone = Vec::new();
     for (_, declared) in port() {
         let short = declared.name.split_once('_').map_or("", |(_, short)| short);
         let asked = Item::from_name(short).is_ok();
+        let name = &declared.name;
         match declared.twins.first() {
-            Some(twin) if asked || structs(&declared.name) => row(&mut text, twin, &declared.name),
-            None if asked => alone.push(declared.name),
+            Some(twin) if asked || given(name) => rows.push(format!("| `{twin}` | `{name}` |")),
+            None if asked => alone.push(format!("- `{name}`")),
             _ => {}
         }
     }
-    text.push_str("\n# Only in WGSL\n\n");
-    text.push_str("What Rust has as generics, as closures or not at all.\n\n");
-    alone.iter().for_each(|name| text.push_str(&format!("- `{name}`\n")));
-    text.push_str("\n# Only in Rust\n\n| Reason, or what stands in | Rust |\n|---|---|\n");
+    rows.extend(["", "# Only in WGSL", ""].map(String::from));
+    rows.extend(["What Rust has as generics, as closures or not at all.", ""].map(String::from));
+    rows.extend(alone);
+    rows.extend(
+        ["", "# Only in Rust", "", "| Reason, or what stands in | Rust |"].map(String::from),
+    );
+    rows.push("|---|---|".to_owned());
     let only = rust_only();
     let mut reasons: Vec<&str> = only.iter().map(|only| only.reason).collect();
     reasons.dedup();
-    for reason in reasons {
+    rows.extend(reasons.into_iter().map(|reason| {
         let of_reason = only.iter().filter(|only| only.reason == reason);
         let paths: Vec<String> = of_reason.map(|only| format!("`{}`", only.path)).collect();
-        text.push_str(&format!("| {reason} | {} |\n", paths.join(", ")));
-    }
-    text
+        format!("| {reason} | {} |", paths.join(", "))
+    }));
+    rows.join("\n") + "\n"
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! The WGSL port's texts as a compiler sees them: valid, and nothing in them that was not asked for.
+//! The WGSL port's texts as a compiler sees them: valid, and nothing in them that was not asked
+//! for.
 #![cfg(feature = "wgsl")]
 
 use crate::common::arbitrary::Source;
@@ -42,7 +43,8 @@ fn single_items_are_valid_and_need_all_that_comes_with_them() {
         for name in &asked {
             assert!(all.iter().any(|(other, _)| other == name), "{} lacks {name}", item.name());
         }
-        // The text is compiled again without each of its declarations: an ordinary run does so for some of the items.
+        // The text is compiled again without each of its declarations: an ordinary run does so for
+        // some of the items.
         if index % size(4, 1) != 0 {
             continue;
         }

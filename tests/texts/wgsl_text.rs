@@ -1,4 +1,5 @@
-//! The WGSL port's texts, word by word: nothing that compilers answer differently, no name that translators change.
+//! The WGSL port's texts, word by word: nothing that compilers answer differently, no name that
+//! translators change.
 #![cfg(all(feature = "wgsl", feature = "glint"))]
 
 use crate::entry::{Device, Shader, declared, names};
@@ -8,14 +9,17 @@ use naga::back::wgsl::WriterFlags;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
-/// Builtins whose accuracy, NaNs or order of operations drivers choose. The WGSL port has its own of those that it needs;
-/// `sqrt` and quotients are the driver's.
-const LOOSE: &str = "atan atan2 exp exp2 log log2 pow sin cos tan sinh cosh tanh asin acos asinh acosh atanh mix \
-    fma inverseSqrt normalize length distance smoothstep sign min max clamp saturate step dot cross reflect refract faceForward \
+/// Builtins whose accuracy, NaNs or order of operations drivers choose. The WGSL port has its own
+/// of those that it needs; `sqrt` and quotients are the driver's.
+const LOOSE: &str = "atan atan2 exp exp2 log log2 pow sin cos tan sinh cosh tanh asin acos asinh \
+    acosh atanh mix \
+    fma inverseSqrt normalize length distance smoothstep sign min max clamp saturate step dot \
+    cross reflect refract faceForward \
     determinant degrees radians ldexp frexp round fract modf";
 
 /// Builtins that GLSL ES 3.00 does not have: translators refuse them, or count bits by a logarithm.
-const ABSENT: &str = "countOneBits countLeadingZeros countTrailingZeros firstLeadingBit firstTrailingBit reverseBits \
+const ABSENT: &str = "countOneBits countLeadingZeros countTrailingZeros firstLeadingBit \
+    firstTrailingBit reverseBits \
     extractBits insertBits pack4x8snorm pack4x8unorm unpack4x8snorm unpack4x8unorm arrayLength";
 
 /// Builtins of fragment shaders.
@@ -249,8 +253,8 @@ fn braces_change_nothing_else() {
 
 #[test]
 fn numbers_are_in_range_of_f32() {
-    // WebGL in Chrome takes 3.4028235e38 for infinity: the digits of the largest f32, but above it. Metal's compiler is
-    // one of C++, where such a number is the nearest f32.
+    // WebGL in Chrome takes 3.4028235e38 for infinity: the digits of the largest f32, but above it.
+    // Metal's compiler is one of C++, where such a number is the nearest f32.
     for language in text_languages().filter(|language| *language != Language::Msl) {
         let text = translated(&[Item::Max, Item::IsFinite, Item::GgxBrdfOver], language);
         let mut largest = 0.0_f64;

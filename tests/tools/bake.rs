@@ -1,4 +1,5 @@
-//! The command line of examples/bake: maps in and their moments out, mistakes in one line, and nothing half-written.
+//! The command line of examples/bake: maps in and their moments out, mistakes in one line, and
+//! nothing half-written.
 #![cfg(all(feature = "std", feature = "lean"))]
 
 mod coverage;
@@ -171,7 +172,8 @@ fn an_odd_map_is_read_back_within_the_alpha_floor() {
     fs::remove_file(&small).expect("a file");
     baked(&input, &out, &[]);
 
-    // A description of someone else's lists files that no bake writes, or writes under other numbers: they stay.
+    // A description of someone else's lists files that no bake writes, or writes under other
+    // numbers: they stay.
     let mut foreign = described(&out);
     for (level, part, name) in
         [(0, "mean", "photo.png"), (1, "second", "mean.07.png"), (2, "raw", "second.9.png")]

@@ -1,4 +1,5 @@
-//! The command line of examples/glints: pictures of the asked size, the zoom's energies, mistakes in one line, and nothing half-written.
+//! The command line of examples/glints: pictures of the asked size, the zoom's energies, mistakes
+//! in one line, and nothing half-written.
 #![cfg(all(feature = "std", feature = "glint"))]
 
 mod files;
@@ -58,7 +59,8 @@ fn every_scene_is_drawn_in_the_asked_size_by_any_number_of_threads() {
     assert_eq!(names(&one), expected);
     for name in &expected {
         let Picture { size, codes } = picture(&one.join(name));
-        // Four middles of a quarter of the width in a row, two rows of half the height, and lines between.
+        // Four middles of a quarter of the width in a row, two rows of half the height, and lines
+        // between.
         let sheet = name == "zoom.png";
         assert_eq!(size, if sheet { [78, 42] } else { [72, 40] }, "{name}");
         let brightest = codes.iter().max().copied().unwrap_or_default();

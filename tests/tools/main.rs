@@ -1,4 +1,5 @@
-//! Command lines of the examples, as a user runs them: what they print and write, mistakes in one line, exit codes.
+//! Command lines of the examples, as a user runs them: what they print and write, mistakes in one
+//! line, exit codes.
 
 #[path = "../common/command.rs"]
 mod command;

@@ -284,7 +284,8 @@ fn hexadecimal_tables_say_what_decimal_ones_say() {
     assert_eq!(text(&hex.stdout), text(&decimal.stdout));
 }
 
-/// Endings in capitals, line ends of two bytes, a mark at the beginning, blank lines, comments, quotes.
+/// Endings in capitals, line ends of two bytes, a mark at the beginning, blank lines, comments,
+/// quotes.
 #[test]
 fn tables_of_other_tools_are_read() {
     let folder = folder("tools");
@@ -323,7 +324,8 @@ fn decimal_inputs_are_not_blamed_on_single_precision() {
     let output = validate(&[folder.to_str().unwrap()]);
     let table = text(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{table}{}", text(&output.stderr));
-    let note = "ggx_p22 f32: 199 of 199 rows have inputs that no f32 holds and are judged at the nearest ones, the first in \
+    let note = "ggx_p22 f32: 199 of 199 rows have inputs that no f32 holds and are judged at the \
+        nearest ones, the first in \
                 line 2, `slope_x` 0.1";
     assert_eq!(table.lines().filter(|line| *line == note).count(), 1, "{table}");
     let json = validate(&["--json", folder.to_str().unwrap()]);
@@ -347,7 +349,8 @@ fn decimal_inputs_are_not_blamed_on_single_precision() {
     }
 }
 
-/// A slope beyond the range of f32 is none there: f64 is judged by the row, and f32 does without it.
+/// A slope beyond the range of f32 is none there: f64 is judged by the row, and f32 does without
+/// it.
 #[test]
 fn rows_that_single_precision_cannot_take_are_counted() {
     let folder = folder("refused");
@@ -370,7 +373,8 @@ fn rows_that_single_precision_cannot_take_are_counted() {
         "{}",
         text(&output.stdout)
     );
-    // A table of which f32 judges no row is over budget in f32; in f64 it is judged, and so are other tables.
+    // A table of which f32 judges no row is over budget in f32; in f64 it is judged, and so are
+    // other tables.
     fs::write(&file, format!("{header}\n{far}\n")).unwrap();
     fs::write(folder.join("chermain_m.csv"), golden("chermain_m")).unwrap();
     let output = validate(&[folder.to_str().unwrap()]);

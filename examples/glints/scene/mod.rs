@@ -39,7 +39,8 @@ pub(crate) struct Light {
 }
 
 impl Light {
-    /// Of this irradiance across its direction, which tells more than the radiance of something so small.
+    /// Of this irradiance across its direction, which tells more than the radiance of something so
+    /// small.
     pub(crate) fn new(direction: DVec3, irradiance: Vec3, radius: f32) -> Self {
         let light = Self { direction: direction.normalize(), radiance: Vec3::ONE, radius };
         Self { radiance: irradiance / light.irradiance(), ..light }

@@ -27,7 +27,8 @@ impl Surface for Ground {
 pub(crate) fn glitter(distance: f64) -> Result<Scene, Error> {
     // No place of whole numbers, which cells of all sizes share.
     let target = DVec3::new(0.3719, 0.8263, 0.0);
-    // Not along an axis of the texture, either: across the picture its pixels turn through a diagonal.
+    // Not along an axis of the texture, either: across the picture its pixels turn through a
+    // diagonal.
     let (sin, cos) = 0.6_f64.sin_cos();
     let around = |x: f64, y: f64, z: f64| DVec3::new(cos * x - sin * y, sin * x + cos * y, z);
     let towards = around(0.0, -0.8, 0.62).normalize();

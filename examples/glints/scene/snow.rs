@@ -24,7 +24,8 @@ struct Wave {
     phase: f64,
 }
 
-/// Wave lengths in meters, the largest slope of each, and its direction in turns: hills, dunes, ripples of the wind.
+/// Wave lengths in meters, the largest slope of each, and its direction in turns: hills, dunes,
+/// ripples of the wind.
 const WAVES: [[f64; 3]; 11] = [
     [310.0, 0.09, 0.2],
     [170.0, 0.07, 0.41],
@@ -121,7 +122,8 @@ impl Surface for Ground {
         Frame::WORLD
     }
 
-    /// The mean of each wave's slope over a Gaussian pixel, and the variance that this takes from it.
+    /// The mean of each wave's slope over a Gaussian pixel, and the variance that this takes from
+    /// it.
     fn bumps(&self, uv: [f64; 2], steps: [[f64; 2]; 2], wo: DVec3) -> SlopeMoments<f32> {
         let place = DVec2::from(uv);
         let (mut mean, mut second) = (DVec2::ZERO, [0.0; 3]);

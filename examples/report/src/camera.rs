@@ -56,8 +56,8 @@ impl<R: Scalar> Ray<R> {
 }
 
 impl Camera<f64> {
-    /// A camera at height 1 over the plane z = 0, looking along +y and down: its picture spans these angles
-    /// below the horizon (degrees), top row to bottom row.
+    /// A camera at height 1 over the plane z = 0, looking along +y and down: its picture spans
+    /// these angles below the horizon (degrees), top row to bottom row.
     pub(crate) fn spanning(size: Size, top: f64, bottom: f64) -> Self {
         let (sin, cos) = (0.5 * (top + bottom)).to_radians().sin_cos();
         let focal = 0.5 * size.height as f64 / (0.5 * (bottom - top)).to_radians().tan();
@@ -65,8 +65,8 @@ impl Camera<f64> {
         Self::looking(size, eye, [0.0, cos, 1.0 - sin], focal)
     }
 
-    /// A camera that has `target` at the picture's center and the world's z axis upright; `focal` is the
-    /// distance, in pixels, at which a pixel is as wide as on the picture.
+    /// A camera that has `target` at the picture's center and the world's z axis upright; `focal`
+    /// is the distance, in pixels, at which a pixel is as wide as on the picture.
     pub(crate) fn looking(size: Size, eye: Vector<f64>, target: Vector<f64>, focal: f64) -> Self {
         let forward = normalize(sub(target, eye));
         let across = normalize(cross(forward, [0.0, 0.0, 1.0]));
@@ -109,8 +109,8 @@ impl Camera<f64> {
         }
     }
 
-    /// Steps on a surface to the pixels at the right and above, by ray differentials (Igehy 1999): of the point at a
-    /// multiple of a ray's direction, in its tangent plane.
+    /// Steps on a surface to the pixels at the right and above, by ray differentials (Igehy 1999):
+    /// of the point at a multiple of a ray's direction, in its tangent plane.
     pub(crate) fn differentials(
         &self,
         ray: &Ray<f64>,

@@ -1,7 +1,7 @@
 //! Which pixels are judged: those whose 3 x 3 neighborhood the surface covers.
 //!
-//! Silhouettes inside a pixel are no specular filter's business. The pixels just inside of them are, and
-//! there the view grazes the surface.
+//! Silhouettes inside a pixel are no specular filter's business. The pixels just inside of them
+//! are, and there the view grazes the surface.
 
 use rayon::prelude::*;
 

@@ -1,5 +1,5 @@
-//! How much the footprint of a quad's differences departs from the one of analytic derivatives, and what
-//! methods cost on them.
+//! How much the footprint of a quad's differences departs from the one of analytic derivatives, and
+//! what methods cost on them.
 
 use lobe::Error;
 use serde::Serialize;
@@ -9,8 +9,8 @@ use crate::method::{CountedPixels, MovingPixel, Pixel, QuadPixel};
 use crate::overlap::non_overlap;
 use crate::scene::{Motions, Sample, Scene};
 
-/// Area of non-overlap of the two footprints over the larger area, over the judged pixels of a picture
-/// (Kaplanyan et al. 2016, Fig. 7): 0 where they are one, 1 where one is nothing.
+/// Area of non-overlap of the two footprints over the larger area, over the judged pixels of a
+/// picture (Kaplanyan et al. 2016, Fig. 7): 0 where they are one, 1 where one is nothing.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct Disagreement {
     pub(crate) mean: f64,
@@ -20,7 +20,8 @@ pub(crate) struct Disagreement {
     pub(crate) map: Vec<f64>,
 }
 
-/// A pixel of a scene with the others of its quad: this one, beside, below and across; and its motions.
+/// A pixel of a scene with the others of its quad: this one, beside, below and across; and its
+/// motions.
 fn quad(scene: &Scene<f32>, size: Size, index: usize) -> ([Sample<f32>; 4], Motions<f32>) {
     let (x, y) = (index % size.width, index / size.width);
     let center = |k: usize| k as f32 + 0.5;

@@ -1,4 +1,5 @@
-//! Shading frames: right-handed, normal along z, their first axis as near to a given tangent as it gets.
+//! Shading frames: right-handed, normal along z, their first axis as near to a given tangent as it
+//! gets.
 
 use lobe::slope::direction::normalize;
 
@@ -22,11 +23,12 @@ pub(crate) struct Turn<R> {
 }
 
 impl<R: Scalar> Frame<R> {
-    /// The frame around a unit normal whose first axis is `tangent` made perpendicular and of length 1.
+    /// The frame around a unit normal whose first axis is `tangent` made perpendicular and of
+    /// length 1.
     ///
-    /// Smooth wherever both are: neighboring pixels' half vectors, each in its own frame, then differ
-    /// by what the surface does and not by a jump of the frame. A normal along the tangent has no such
-    /// frame; its directions come out as zero and shade to black.
+    /// Smooth wherever both are: neighboring pixels' half vectors, each in its own frame, then
+    /// differ by what the surface does and not by a jump of the frame. A normal along the tangent
+    /// has no such frame; its directions come out as zero and shade to black.
     #[inline]
     pub(crate) fn around(normal: Vector<R>, tangent: Vector<R>) -> Self {
         let first = normalize(tangential(tangent, normal));
@@ -56,8 +58,8 @@ impl<R: Scalar> Frame<R> {
     }
 }
 
-/// Tangents for closed surfaces: the frame at the normal towards the eye, carried to every other normal by
-/// the smallest rotation. Smooth on all that the eye can see.
+/// Tangents for closed surfaces: the frame at the normal towards the eye, carried to every other
+/// normal by the smallest rotation. Smooth on all that the eye can see.
 #[derive(Clone)]
 pub(crate) struct Comb<R> {
     /// The normal where it starts.
@@ -80,7 +82,8 @@ impl Comb<f64> {
 }
 
 impl<R: Scalar> Comb<R> {
-    /// A side carried from the axis $e$ to the unit normal $n$: $a - \frac{a \cdot n}{1 + e \cdot n} (n + e)$.
+    /// A side carried from the axis $e$ to the unit normal $n$: $a - \frac{a \cdot n}{1 + e \cdot
+    /// n} (n + e)$.
     #[inline]
     pub(crate) fn tangent(&self, side: usize, normal: Vector<R>) -> Vector<R> {
         let a = self.sides[side];

@@ -41,8 +41,8 @@ impl Frontier {
     }
 }
 
-/// The cost at which the line through two points of falling error, straight on logarithmic axes, has
-/// this error.
+/// The cost at which the line through two points of falling error, straight on logarithmic axes,
+/// has this error.
 fn interpolate(before: Point, after: Point, error: f64) -> f64 {
     if after.error <= 0.0 || error <= 0.0 {
         return after.cost;

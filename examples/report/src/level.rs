@@ -42,8 +42,9 @@ impl<const N: usize> Level<N> {
         self.texels[row * self.size[0] + column]
     }
 
-    /// The four texels around a point, rows first, and the point's fractions between them; coordinates count texels, and
-    /// texel (i, j) has its center at (i + 1/2, j + 1/2), as on a GPU.
+    /// The four texels around a point, rows first, and the point's fractions between them;
+    /// coordinates count texels, and texel (i, j) has its center at (i + 1/2, j + 1/2), as on a
+    /// GPU.
     #[inline]
     pub(crate) fn corners<R: Scalar>(&self, at: [R; 2]) -> ([[[R; N]; 2]; 2], [R; 2]) {
         let [(column, fx), (row, fy)] = at.map(|t| (t - R::HALF).split());

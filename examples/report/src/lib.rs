@@ -1,11 +1,12 @@
 //! Error against run time: every filter of lobe against plain supersampling, on scenes with glints.
 //!
 //! `cargo run --release -p lobe-report -- --help`. The way of the data: a `scene` gives samples, a
-//! `method` shades them, `reference` is what they should have given, `metric` and `timing` put numbers
-//! on both, `study` collects a scene's, `sequence` those of a scene in motion, `page` shows them. `kernels`
-//! judges filters of GGX without any scene, `minify` those of normal maps, with a renderer of its own, `relief`
-//! LEADR's grids against rays, `glints` two models of details against the details, `facets` filters of many lobes against many samples. [`shot`] gives two of the scenes to
-//! other renderers, as plain numbers.
+//! `method` shades them, `reference` is what they should have given, `metric` and `timing` put
+//! numbers on both, `study` collects a scene's, `sequence` those of a scene in motion, `page` shows
+//! them. `kernels` judges filters of GGX without any scene, `minify` those of normal maps, with a
+//! renderer of its own, `relief` LEADR's grids against rays, `glints` two models of details against
+//! the details, `facets` filters of many lobes against many samples. [`shot`] gives two of the
+//! scenes to other renderers, as plain numbers.
 
 mod camera;
 #[path = "../../common/channels.rs"]

@@ -44,8 +44,8 @@ pub(crate) struct Arrival<R> {
 }
 
 impl Light<f64> {
-    /// A point light seen from `target` in the unit direction `towards`, with the distant light's irradiance
-    /// there.
+    /// A point light seen from `target` in the unit direction `towards`, with the distant light's
+    /// irradiance there.
     pub(crate) fn point(target: Vector<f64>, towards: Vector<f64>, distance: f64) -> Self {
         Self::Point { position: along(target, distance, towards), power: distance * distance }
     }

@@ -34,8 +34,8 @@ impl fmt::Display for Mistake {
 #[derive(Parser, Debug)]
 #[command(version, max_term_width = 100)]
 pub(crate) struct Options {
-    /// A smaller picture, fewer reference samples, one light, one normal map, two alphas: under a minute on
-    /// two cores.
+    /// A smaller picture, fewer reference samples, one light, one normal map, two alphas: under a
+    /// minute on two cores.
     #[arg(long)]
     pub(crate) quick: bool,
 
@@ -47,22 +47,24 @@ pub(crate) struct Options {
     #[arg(long, value_enum)]
     pub(crate) light: Option<Lights>,
 
-    /// A tangent-space normal map (PNG of 8 or 16 bits or with a palette, +y up) to show on the plane and on
-    /// the sphere (scenes `plane`, `mapped-sphere` and `minified`) instead of the four that the program carries.
+    /// A tangent-space normal map (PNG of 8 or 16 bits or with a palette, +y up) to show on the
+    /// plane and on the sphere (scenes `plane`, `mapped-sphere` and `minified`) instead of the four
+    /// that the program carries.
     ///
-    /// Alpha is ignored unless --channels reads it, gamma, sRGB and ICC chunks are ignored always. A file that ends
-    /// early or of which any checksum is wrong is refused; bytes after the end chunk are ignored with a warning.
+    /// Alpha is ignored unless --channels reads it, gamma, sRGB and ICC chunks are ignored always.
+    /// A file that ends early or of which any checksum is wrong is refused; bytes after the end
+    /// chunk are ignored with a warning.
     #[arg(long, value_name = "FILE")]
     pub(crate) normal_map: Option<PathBuf>,
 
-    /// Channels of the normal map's x, y and z by their letters, r, g, b or a; of two, as rg (BC5), ag (DXT5nm: x
-    /// in alpha, y in green) or ra, z is what is left to unit length.
+    /// Channels of the normal map's x, y and z by their letters, r, g, b or a; of two, as rg (BC5),
+    /// ag (DXT5nm: x in alpha, y in green) or ra, z is what is left to unit length.
     #[arg(long, value_name = "NAMES", default_value_t = Channels::RGB, requires = "normal_map")]
     pub(crate) channels: Channels,
 
-    /// Roughness of the material, from 0.0001 to 1: this one only. Brushed scenes have five times as
-    /// much across their grooves. [default: 0.01, 0.05 and 0.3, with --quick the first two; of minified
-    /// maps 0.05 and 0.2, with --quick the first]
+    /// Roughness of the material, from 0.0001 to 1: this one only. Brushed scenes have five times
+    /// as much across their grooves. [default: 0.01, 0.05 and 0.3, with --quick the first two; of
+    /// minified maps 0.05 and 0.2, with --quick the first]
     ///
     /// Below about 0.001 the reference may need more samples than it takes; the report says so.
     #[arg(long, value_name = "A", value_parser = alpha, allow_negative_numbers = true)]
@@ -70,9 +72,9 @@ pub(crate) struct Options {
 
     /// Width of the pictures in pixels, 16 to 4096; the height follows (16:9).
     ///
-    /// Surfaces keep their size in pixels: a smaller picture shows less of them. Above 400, balls, torus,
-    /// strips and disk grow with the picture. Pictures of facets are at least 24 pixels wide.
-    /// [default: 400, with --quick 240]
+    /// Surfaces keep their size in pixels: a smaller picture shows less of them. Above 400, balls,
+    /// torus, strips and disk grow with the picture. Pictures of facets are at least 24 pixels
+    /// wide. [default: 400, with --quick 240]
     #[arg(long, value_name = "N", value_parser = width, allow_negative_numbers = true)]
     pub(crate) size: Option<usize>,
 
@@ -102,8 +104,8 @@ pub(crate) enum Scenes {
     Disk,
     /// Normal maps on a plane, many texels to a pixel, and a zoom.
     Minified,
-    /// Details that flicker: two models of glints against real details, and filters of many facets, with materials and
-    /// lights of their own.
+    /// Details that flicker: two models of glints against real details, and filters of many facets,
+    /// with materials and lights of their own.
     Glints,
     /// All of them; with --quick one normal map only.
     All,
@@ -193,7 +195,8 @@ impl Options {
         self.scene.include(Scenes::Glints).then_some(glints::Plan { width, ..plan })
     }
 
-    /// How facets are measured, if glints are asked for: in pictures no wider than asked for, but for the least width.
+    /// How facets are measured, if glints are asked for: in pictures no wider than asked for, but
+    /// for the least width.
     pub(crate) fn facets(&self) -> Option<facets::Plan> {
         let plan = if self.quick { facets::Plan::quick() } else { facets::Plan::full() };
         let least = facets::Plan::LEAST_WIDTH;
@@ -207,7 +210,8 @@ impl Options {
         if self.light == Some(Lights::Point) { LightKind::Point } else { LightKind::Distant }
     }
 
-    /// How sequences are taken: under the first light, at the smallest alpha, in pictures no wider than asked for.
+    /// How sequences are taken: under the first light, at the smallest alpha, in pictures no wider
+    /// than asked for.
     pub(crate) fn plan(&self) -> Plan {
         let (width, frames) = if self.quick { (96, 16) } else { (144, 60) };
         Plan {
@@ -220,7 +224,8 @@ impl Options {
         }
     }
 
-    /// How relief is measured, if it is asked for: in pictures no wider than asked for, of an even number of pixels.
+    /// How relief is measured, if it is asked for: in pictures no wider than asked for, of an even
+    /// number of pixels.
     pub(crate) fn relief(&self) -> Option<relief::Plan> {
         let plan = if self.quick { relief::Plan::quick() } else { relief::Plan::full() };
         let side = self.size.map_or(plan.side, |asked| (asked & !1).min(plan.side));
@@ -228,12 +233,12 @@ impl Options {
     }
 }
 
-/// Roughnesses of minified maps: narrower lobes than the first would show the steps of 8 bits. A quick run takes the
-/// first one.
+/// Roughnesses of minified maps: narrower lobes than the first would show the steps of 8 bits. A
+/// quick run takes the first one.
 const MAPPED_ALPHAS: [f64; 2] = [0.05, 0.2];
 
-/// Pixels from frame to frame of a sequence, in its middle: small, and no simple part of a pixel, so that
-/// glints meet pixels at every phase.
+/// Pixels from frame to frame of a sequence, in its middle: small, and no simple part of a pixel,
+/// so that glints meet pixels at every phase.
 const STEP: f64 = 0.23;
 
 /// What clap says up to its first blank line, as one line and without its `error:`.

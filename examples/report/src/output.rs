@@ -46,7 +46,8 @@ impl Output {
         Ok(output)
     }
 
-    /// Writes files under other names, then renames them: a reader sees the old ones or the new ones.
+    /// Writes files under other names, then renames them: a reader sees the old ones or the new
+    /// ones.
     pub(crate) fn write(&self, files: &[(&str, Vec<u8>)]) -> Result<(), Mistake> {
         let each = |f: &dyn Fn(&str, &[u8]) -> io::Result<()>| {
             files.iter().try_for_each(|(name, content)| f(name, content))

@@ -4,8 +4,9 @@ use lobe::Footprint;
 
 type Point = [f64; 2];
 
-/// Area of non-overlap over the larger area, from 0 for equal parallelograms to 2 for disjoint ones of one area
-/// (Kaplanyan et al. 2016, Fig. 7); of two without area 0 if they are the same line, else 1.
+/// Area of non-overlap over the larger area, from 0 for equal parallelograms to 2 for disjoint ones
+/// of one area (Kaplanyan et al. 2016, Fig. 7); of two without area 0 if they are the same line,
+/// else 1.
 pub(crate) fn non_overlap(a: &Footprint<f32>, b: &Footprint<f32>) -> f64 {
     let (a, b) = (corners(a), corners(b));
     let (area_a, area_b) = (area(&a), area(&b));

@@ -139,7 +139,8 @@ fn maps(options: &Options) -> Result<Vec<NormalMap>, Mistake> {
     }
 }
 
-/// The scenes asked for that are shown in motion, and how they move; a user's map on the ball that turns.
+/// The scenes asked for that are shown in motion, and how they move; a user's map on the ball that
+/// turns.
 fn moving(
     options: &Options,
     size: Size,

@@ -10,7 +10,8 @@ use crate::scene::{Motions, Sample, Scene};
 /// Pictures of a scene, rows from the top: `[material][method]`.
 pub(crate) type Pictures = Vec<Vec<Vec<f32>>>;
 
-/// Renders every material with every method; `rows_done` is called with the number of rows finished.
+/// Renders every material with every method; `rows_done` is called with the number of rows
+/// finished.
 pub(crate) fn render(
     scene: &Scene<f32>,
     size: Size,

@@ -1,19 +1,21 @@
-//! Two scenes as plain numbers: what one sample sees in every pixel, what the report makes of it, what is right.
+//! Two scenes as plain numbers: what one sample sees in every pixel, what the report makes of it,
+//! what is right.
 //!
-//! For renderers that are not ours, such as a fragment shader: given [`Shot::seen`], they should draw the
-//! pictures of [`Shot::plain`], [`Shot::widened`] and [`Shot::exact`], and [`Shot::errors`] judges theirs as
-//! the report judges its own. The same numbers come out of every run, those of the report's
-//! `--quick --light distant --size WIDTH --alpha ALPHA`.
+//! For renderers that are not ours, such as a fragment shader: given [`Shot::seen`], they should
+//! draw the pictures of [`Shot::plain`], [`Shot::widened`] and [`Shot::exact`], and
+//! [`Shot::errors`] judges theirs as the report judges its own. The same numbers come out of every
+//! run, those of the report's `--quick --light distant --size WIDTH --alpha ALPHA`.
 //!
 //! # Quads
 //!
-//! Pixels (2i, 2j) to (2i + 1, 2j + 1), rows from the top, are a quad, as on a GPU. Every pixel has its half
-//! vector in its *own* shading frame, $h = (w_o + w_i)/|w_o + w_i|$, and the slope of it there,
-//! $s = (-h_x/h_z, -h_y/h_z)$. The sides of its footprint are the slopes of the pixel beside it and of the one
-//! below or above it in the quad, less its own: `dpdxFine(s)` and `dpdyFine(s)` but for the sign, which is
-//! theirs in even columns and rows and the opposite in odd ones, and which no filter asks for. No half vector
-//! is brought into a neighbor's frame: how the frames turn is part of the footprint (Kaplanyan et al. 2016,
-//! Eq. 6). If one of the three half vectors is not above its horizon, the footprint is zero.
+//! Pixels (2i, 2j) to (2i + 1, 2j + 1), rows from the top, are a quad, as on a GPU. Every pixel has
+//! its half vector in its *own* shading frame, $h = (w_o + w_i)/|w_o + w_i|$, and the slope of it
+//! there, $s = (-h_x/h_z, -h_y/h_z)$. The sides of its footprint are the slopes of the pixel beside
+//! it and of the one below or above it in the quad, less its own: `dpdxFine(s)` and `dpdyFine(s)`
+//! but for the sign, which is theirs in even columns and rows and the opposite in odd ones, and
+//! which no filter asks for. No half vector is brought into a neighbor's frame: how the frames turn
+//! is part of the footprint (Kaplanyan et al. 2016, Eq. 6). If one of the three half vectors is not
+//! above its horizon, the footprint is zero.
 
 use lobe::Footprint;
 
@@ -33,8 +35,8 @@ use crate::window::PixelWindow;
 
 pub use crate::scene::Traced;
 
-/// What the sample at a pixel's center sees, as the methods get it: directions are of unit length, in the pixel's
-/// own shading frame, the normal along z, but for [`Seen::normal`].
+/// What the sample at a pixel's center sees, as the methods get it: directions are of unit length,
+/// in the pixel's own shading frame, the normal along z, but for [`Seen::normal`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Seen {
     /// To the eye.
@@ -79,18 +81,20 @@ pub struct Shot {
     pub width: usize,
     /// Of the pictures, in pixels: nine sixteenths of the width.
     pub height: usize,
-    /// Of whole quads, rows from the top: [`Shot::quad_size`] pixels, those outside the pictures included.
+    /// Of whole quads, rows from the top: [`Shot::quad_size`] pixels, those outside the pictures
+    /// included.
     pub seen: Vec<Seen>,
-    /// The sides of each pixel's footprint on the slope plane, towards the pixels beside and below or above: to
-    /// compare with. Of the pictures' size.
+    /// The sides of each pixel's footprint on the slope plane, towards the pixels beside and below
+    /// or above: to compare with. Of the pictures' size.
     pub footprints: Vec<[[f32; 2]; 2]>,
-    /// What Kaplanyan's matrix M is made of, of whole quads as `seen`; for the balls, which have no normal map.
+    /// What Kaplanyan's matrix M is made of, of whole quads as `seen`; for the balls, which have no
+    /// normal map.
     pub traced: Vec<Traced<f32>>,
-    /// The sides by the scene's own derivatives, towards the pixels at the right and below: what M gives on the
-    /// balls. Of the pictures' size.
+    /// The sides by the scene's own derivatives, towards the pixels at the right and below: what M
+    /// gives on the balls. Of the pictures' size.
     pub analytic: Vec<[[f32; 2]; 2]>,
-    /// How far those two footprints are from each other by [`non_overlap`]: the report's Fig. 7; 0 where a pixel is
-    /// not judged.
+    /// How far those two footprints are from each other by [`non_overlap`]: the report's Fig. 7; 0
+    /// where a pixel is not judged.
     pub disagreement: Vec<f64>,
     /// The pixels that errors count: those whose 3 x 3 neighbors are covered.
     pub judged: Vec<bool>,
@@ -108,9 +112,11 @@ pub struct Shot {
 const METHODS: [&str; 3] = ["none (1 sample)", "variance addition, 1/12", "exact parallelogram"];
 
 impl Shot {
-    /// Balls of many sizes: curvature that makes a highlight of a pixel and less. The report's scene `sphere`.
+    /// Balls of many sizes: curvature that makes a highlight of a pixel and less. The report's
+    /// scene `sphere`.
     ///
-    /// `width` is that of the picture; [`QUICK_WIDTH`](crate::QUICK_WIDTH) is the one of quick runs.
+    /// `width` is that of the picture; [`QUICK_WIDTH`](crate::QUICK_WIDTH) is the one of quick
+    /// runs.
     ///
     /// # Errors
     /// If alpha is negative or not finite.
@@ -118,7 +124,8 @@ impl Shot {
         Self::of(Subject::balls(Size::of_width(width)), alpha)
     }
 
-    /// A plane with a normal map: every pixel has a shading frame of its own. The report's scene `plane: leather`.
+    /// A plane with a normal map: every pixel has a shading frame of its own. The report's scene
+    /// `plane: leather`.
     ///
     /// # Errors
     /// If alpha is negative or not finite.
@@ -133,7 +140,8 @@ impl Shot {
         [self.width, self.height].map(|side| side.next_multiple_of(2))
     }
 
-    /// What a pixel of [`Shot::seen`] sees, the one beside it in its quad, and the one below or above it.
+    /// What a pixel of [`Shot::seen`] sees, the one beside it in its quad, and the one below or
+    /// above it.
     pub fn quad(&self, x: usize, y: usize) -> [&Seen; 3] {
         [(x, y), (x ^ 1, y), (x, y ^ 1)].map(|(x, y)| &self.seen[y * self.quad_size()[0] + x])
     }
@@ -143,7 +151,8 @@ impl Shot {
         Errors::of(picture, &of.reference, &self.judged, self.scale)
     }
 
-    /// Gray bytes in sRGB of a picture as the report's page shows it, under the tone curve of the box reference.
+    /// Gray bytes in sRGB of a picture as the report's page shows it, under the tone curve of the
+    /// box reference.
     pub fn shown(&self, picture: &[f64]) -> Vec<u8> {
         Tone::of(&self.exact.reference).gray(picture)
     }
@@ -228,7 +237,8 @@ impl Shaded {
     }
 }
 
-/// Area of non-overlap of two footprints, given as their sides, over the larger area (Kaplanyan et al. 2016, Fig. 7).
+/// Area of non-overlap of two footprints, given as their sides, over the larger area (Kaplanyan et
+/// al. 2016, Fig. 7).
 ///
 /// From 0 for equal ones to 2 for disjoint ones of one area; 1 if one alone has no area.
 pub fn non_overlap(a: [[f32; 2]; 2], b: [[f32; 2]; 2]) -> f64 {

@@ -1,4 +1,5 @@
-//! What the shaders of usual scenes weigh, and what filtering adds, beside what Kaplanyan et al. counted.
+//! What the shaders of usual scenes weigh, and what filtering adds, beside what Kaplanyan et al.
+//! counted.
 
 use lobe::wgsl::{Item, Preset, source};
 use serde::Serialize;
@@ -41,7 +42,8 @@ pub(crate) struct Overhead {
     pub(crate) name: &'static str,
     /// SPIR-V instructions more than without a filter, calls written out.
     pub(crate) instructions: usize,
-    /// Instructions for NVIDIA of the nearest of his methods: Kaplanyan et al. 2016, Table 3, vertex normals or LEAN.
+    /// Instructions for NVIDIA of the nearest of his methods: Kaplanyan et al. 2016, Table 3,
+    /// vertex normals or LEAN.
     pub(crate) kaplanyan: Option<usize>,
 }
 
@@ -125,8 +127,8 @@ mod tests {
             |name: &str| sizes.presets.iter().find(|size| size.name == name).expect("a preset");
         let (plain, exact) = (of("plain"), of("forward_exact"));
         assert!(plain.bytes * 5 < exact.bytes && plain.inlined * 5 < exact.inlined);
-        // Kaplanyan's order, but for our exact sums, which make a kernel as long as his rectangle: widening is cheap, the
-        // exact GGX is not.
+        // Kaplanyan's order, but for our exact sums, which make a kernel as long as his rectangle:
+        // widening is cheap, the exact GGX is not.
         let added = |name: &str| {
             let found = sizes.overheads.iter().find(|overhead| overhead.name == name);
             found.expect("a case").instructions

@@ -17,7 +17,8 @@ mod op {
     pub(super) const FUNCTION_CALL: u16 = 57;
     pub(super) const LABEL: u16 = 248;
 
-    /// Whether it computes: extended instructions, conversions, arithmetic, comparisons, bits and derivatives.
+    /// Whether it computes: extended instructions, conversions, arithmetic, comparisons, bits and
+    /// derivatives.
     pub(super) fn computes(opcode: u16) -> bool {
         const EXTENDED: u16 = 12;
         matches!(opcode, EXTENDED | 109..=215)
@@ -148,7 +149,8 @@ mod tests {
 
     #[test]
     fn calls_are_counted_as_what_they_call() {
-        let wgsl = "fn one(x: f32) -> f32 { return x * 2.0; }\nfn two(x: f32) -> f32 { return one(x) + one(x); }\n";
+        let wgsl = "fn one(x: f32) -> f32 { return x * 2.0; }\nfn two(x: f32) -> f32 { return \
+            one(x) + one(x); }\n";
         let words = assembled(wgsl).expect("valid WGSL");
         let found = instructions(&words);
         assert_eq!(found.len(), 2);

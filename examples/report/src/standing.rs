@@ -12,7 +12,8 @@ pub(crate) struct Standing {
     pub(crate) name: String,
     pub(crate) family: Family,
     pub(crate) derivatives: Derivatives,
-    /// Geometric mean over the panels of its RMSE over that of no filter, each against the method's own window.
+    /// Geometric mean over the panels of its RMSE over that of no filter, each against the method's
+    /// own window.
     pub(crate) ratio: f64,
     /// The same against the box.
     pub(crate) box_ratio: f64,
@@ -40,8 +41,8 @@ pub(crate) struct Advice {
     pub(crate) cost: f64,
 }
 
-/// The methods of one distribution at one alpha over the panels of all studies and lights, in their order.
-/// Empty without panels.
+/// The methods of one distribution at one alpha over the panels of all studies and lights, in their
+/// order. Empty without panels.
 pub(crate) fn standings(
     studies: &[Study],
     distribution: Distribution,

@@ -24,7 +24,8 @@ pub(crate) struct Decoded {
 impl Texture {
     /// Decodes a PNG's channels of x, y and z; of two, z is what is left to unit length.
     ///
-    /// Texels are `2 v / max - 1`, then brought to unit length: compressed maps hold unequal lengths.
+    /// Texels are `2 v / max - 1`, then brought to unit length: compressed maps hold unequal
+    /// lengths.
     pub(crate) fn decode(file: &[u8], channels: Channels) -> Result<Decoded, String> {
         let picture = Picture::of(file)?;
         let (size, texel) = (picture.size(), picture.texel());
@@ -61,8 +62,8 @@ impl Texture {
         self.level.between([x, y])
     }
 
-    /// Derivative of the normalized [`Texture::lookup`] along a step, in texels. At the borders of texels,
-    /// where there are two, one of them.
+    /// Derivative of the normalized [`Texture::lookup`] along a step, in texels. At the borders of
+    /// texels, where there are two, one of them.
     #[inline]
     pub(crate) fn turn<R: Scalar>(&self, at: [R; 2], step: [R; 2]) -> Vector<R> {
         let ([above, below], [fx, fy]) = self.level.corners(at);

@@ -7,8 +7,8 @@ use crate::camera::Size;
 use crate::method::{Method, Rows, Surfacing};
 use crate::scene::{Motions, Sample, Scene};
 
-/// Pixels per pass: few enough that their samples stay in cache, as a tile's would, and that most passes
-/// end before another process interrupts them; the median then knows nothing of the others.
+/// Pixels per pass: few enough that their samples stay in cache, as a tile's would, and that most
+/// passes end before another process interrupts them; the median then knows nothing of the others.
 const PIXELS: usize = 4096;
 
 /// Medians over the rounds, nanoseconds per sample.
@@ -99,8 +99,8 @@ pub(crate) fn measure(
 
 /// Medians of the nanoseconds of `count` tasks, which take turns.
 ///
-/// Rounds are interleaved, so that a change of clock or a busy neighbor touches all tasks alike, and
-/// each begins with another task; the first is a warm-up and does not count.
+/// Rounds are interleaved, so that a change of clock or a busy neighbor touches all tasks alike,
+/// and each begins with another task; the first is a warm-up and does not count.
 pub(crate) fn in_turns(count: usize, rounds: usize, mut run: impl FnMut(usize)) -> Vec<f64> {
     let mut times = vec![Vec::with_capacity(rounds); count];
     for round in 0..=rounds {

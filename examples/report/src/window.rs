@@ -23,10 +23,12 @@ pub(crate) type PerWindow<T> = [T; PixelWindow::ALL.len()];
 /// Cells along each side of a pixel: windows are constant over one.
 pub(crate) const CELLS: usize = 16;
 
-/// Pixels that a window reaches beyond its own, on each side. Gaussians end two pixels from the center.
+/// Pixels that a window reaches beyond its own, on each side. Gaussians end two pixels from the
+/// center.
 pub(crate) const MARGIN: usize = 2;
 
-/// Offsets of the pixels that a cell contributes to: from [`MARGIN`] before its own to as many behind it.
+/// Offsets of the pixels that a cell contributes to: from [`MARGIN`] before its own to as many
+/// behind it.
 pub(crate) const OFFSETS: usize = 2 * MARGIN + 1;
 
 /// Weight of each cell of a pixel, along one axis, in the windows of the pixels around it:
@@ -88,7 +90,8 @@ mod tests {
 
     #[test]
     fn windows_have_mass_one_mean_zero_and_their_variance() {
-        // Cut at n deviations, a Gaussian loses about 2 n phi(n) of its variance, phi the normal density.
+        // Cut at n deviations, a Gaussian loses about 2 n phi(n) of its variance, phi the normal
+        // density.
         for (window, variance, tolerance) in [
             (PixelWindow::Box, 1.0 / 12.0, 1e-12),
             (PixelWindow::GaussianTwelfth, 1.0 / 12.0, 1e-8),

@@ -130,7 +130,8 @@ fn what_a_normal_map_looks_like_is_told_and_its_channels_are_named() {
     assert!(hint.starts_with("warning: --normal-map") && hint.contains("--channels ag"), "{said}");
     assert!(lines.next_back().unwrap().starts_with("error: --out"), "{said}");
     assert_eq!(run("ag").lines().count(), 1);
-    // Slopes are told of as `bake` tells of them: a flat color that is not flat, texels at the horizon, y that points down.
+    // Slopes are told of as `bake` tells of them: a flat color that is not flat, texels at the
+    // horizon, y that points down.
     let (rising, flat, fallen) = ([134, 121, 255, 255], [118, 118, 255, 255], [0, 128, 128, 255]);
     let (sinking, neutral) = ([121, 134, 255, 255], [128, 128, 255, 255]);
     for (texels, expected) in [

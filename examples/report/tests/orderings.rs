@@ -49,8 +49,9 @@ impl Rows {
     }
 }
 
-/// Every filter beats none where highlights alias, but for one: Kaplanyan's proxy, whose peak is up to 3 times too dark
-/// under a box. Projected-disk covariance beats the axis-aligned rectangle (Tokuyoshi 2017; Tokuyoshi & Kaplanyan 2021).
+/// Every filter beats none where highlights alias, but for one: Kaplanyan's proxy, whose peak is up
+/// to 3 times too dark under a box. Projected-disk covariance beats the axis-aligned rectangle
+/// (Tokuyoshi 2017; Tokuyoshi & Kaplanyan 2021).
 #[test]
 fn every_filter_beats_none_and_the_disk_s_covariance_beats_rectangles() {
     for scene in size::size(["water"].as_slice(), &["water", "sphere", "torus"]) {
@@ -73,8 +74,9 @@ fn every_filter_beats_none_and_the_disk_s_covariance_beats_rectangles() {
     }
 }
 
-/// Near silhouettes the slope plane's covariance has no bound, the disk's has; and a clamp on slopes does not save
-/// Appendix A from its rounding there (Tokuyoshi & Kaplanyan 2019, Fig. 1: RMSE 13124 against 0.22).
+/// Near silhouettes the slope plane's covariance has no bound, the disk's has; and a clamp on
+/// slopes does not save Appendix A from its rounding there (Tokuyoshi & Kaplanyan 2019, Fig. 1:
+/// RMSE 13124 against 0.22).
 #[test]
 fn at_silhouettes_unclamped_slope_space_fails_by_orders_of_magnitude() {
     let rows = Rows::of("mapped-sphere", "240");

@@ -63,14 +63,15 @@ fn assert_self_contained(page: &str) {
 fn water_gives_one_self_contained_page_with_finite_numbers() {
     let (text, page) = &*WATER;
     assert_self_contained(page);
-    // One for each distribution; two of water in motion; four measures under two pixels and two figures of Eq. 20.
+    // One for each distribution; two of water in motion; four measures under two pixels and two
+    // figures of Eq. 20.
     assert_eq!(page.matches("<svg").count(), 2 + 2 + 4 * 2 + 2);
     // On water one filter is the best by RMSE and by SMAPE: no second picture.
     assert!(page.contains("Best filter, ") && !page.contains("Best by SMAPE"));
     assert_eq!(page.matches("<img").count(), 5);
-    // Two alphas; supersampling and rectangles for both distributions, parallelograms for GGX with two kinds
-    // of footprints. Each GGX method once over all scenes; in motion GGX at one alpha, without the
-    // many samples.
+    // Two alphas; supersampling and rectangles for both distributions, parallelograms for GGX with
+    // two kinds of footprints. Each GGX method once over all scenes; in motion GGX at one alpha,
+    // without the many samples.
     for (name, rows) in
         [("exact parallelogram", 6 + 2), ("supersampling 256", 5), ("rectangle", 5 + 1)]
     {
@@ -184,12 +185,14 @@ fn minified_maps_have_charts_tables_pictures_and_a_zoom() {
     assert_self_contained(&page);
     assert!(text.contains("normal map, minified: crumpled-paper"), "{text}");
     assert!(text.contains("crumpled-paper: a slow zoom") && !text.contains("leather"));
-    // For both distributions: over the ratio, at two ratios against time, over the elevation; and one of the zoom.
+    // For both distributions: over the ratio, at two ratios against time, over the elevation; and
+    // one of the zoom.
     for name in ["plain mips", "LEAN, raw moments", "64 samples"] {
         let rows = text.lines().filter(|line| line.starts_with(name)).count();
         assert_eq!(rows, 2 * 4 + 1, "{name}");
     }
-    // Both distributions; peaks and their ratios; four measures under two pixels and two figures of Eq. 20.
+    // Both distributions; peaks and their ratios; four measures under two pixels and two figures of
+    // Eq. 20.
     assert_eq!(page.matches("<svg").count(), 2 + 2 + 4 * 2 + 2);
     // The reference and five methods at two ratios.
     assert_eq!(page.matches("<img").count(), 2 * 6);
@@ -227,7 +230,8 @@ fn relief_has_pictures_tables_and_charts_of_its_own() {
     let (text, page) = run("relief", &["--scene", "relief", "--size", "16"]);
     assert_self_contained(&page);
     assert!(text.contains("LEADR against ray-cast relief") && text.contains("16 x 16 pixels"));
-    // Four spheres: mapped, displaced and seven grids; the lamp twice with shadows and twice without.
+    // Four spheres: mapped, displaced and seven grids; the lamp twice with shadows and twice
+    // without.
     assert_eq!(page.matches("<img").count(), 4 * (9 + 4));
     // Three charts, and the figures of filters without a renderer.
     assert_eq!(page.matches("<svg").count(), 3 + 4 * 2 + 2);
@@ -245,10 +249,12 @@ fn glints_have_pictures_tables_and_charts_of_their_own() {
     assert_self_contained(&page);
     assert!(page.contains("<h2>Glints</h2>") && text.contains("\nGlints\n"));
     assert!(page.contains("<h2>Facets</h2>") && text.contains("\nFacets\n"));
-    // The hall; of facets a tube, beads and a ball with their differences, lobes, a zoom of two rows.
+    // The hall; of facets a tube, beads and a ball with their differences, lobes, a zoom of two
+    // rows.
     assert_eq!(page.matches("<img").count(), 2 + (6 + 6) + (6 + 5) + (4 + 3) + 6 + 2 * 8);
-    // Two keys of colors; two charts of cells, two of times, one of variance, four of error against run time; keys of
-    // differences, three charts of error against run time, two over facets; and the figures of filters without a renderer.
+    // Two keys of colors; two charts of cells, two of times, one of variance, four of error against
+    // run time; keys of differences, three charts of error against run time, two over facets; and
+    // the figures of filters without a renderer.
     assert_eq!(page.matches("<svg").count(), 2 + 2 + 2 + 1 + 4 + (6 + 5 + 3 + 3 + 2) + 4 * 2 + 2);
     // Dictionaries are published, too.
     for (name, rows) in [

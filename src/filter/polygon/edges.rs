@@ -6,37 +6,40 @@ use super::frame::Frame;
 use super::strip::Whitened;
 use crate::scalar::Real;
 
-/// Squares of the largest distance of the center and of the longest side, in lobes, at which corners in plain
-/// arithmetic keep five digits in f32.
+/// Squares of the largest distance of the center and of the longest side, in lobes, at which
+/// corners in plain arithmetic keep five digits in f32.
 const CLOSE: f64 = 4.0 * 4.0;
 const SHORT: f64 = 32.0 * 32.0;
 
-/// Squares of least heights at which the terms, of order one, do not cancel below a hundredth: in lobes times
-/// $q^{3/2}$, as the density falls; in sides, for their rounding; or else half the distance.
+/// Squares of least heights at which the terms, of order one, do not cancel below a hundredth: in
+/// lobes times $q^{3/2}$, as the density falls; in sides, for their rounding; or else half the
+/// distance.
 const TALL: f64 = 0.1 * 0.1;
 const TALL_FOR_SIDE: f64 = 0.0126 * 0.0126;
 const HALF_DISTANCE: f64 = 0.5 * 0.5;
 
-/// Square of the least distance of every edge, over the root of the longer side: the rounding of corners, side
-/// times epsilon, then moves a density below the cube of one over that distance.
+/// Square of the least distance of every edge, over the root of the longer side: the rounding of
+/// corners, side times epsilon, then moves a density below the cube of one over that distance.
 const DEEP: f64 = 0.1 * 0.1;
 
-/// True if corners in plain arithmetic serve sides of this squared length: their rounding, side times epsilon, is at
-/// most a tenth of the least distance that [`DEEP`] asks for. Up to $2^{32}$ lobes in f32, $2^{90}$ in f64.
+/// True if corners in plain arithmetic serve sides of this squared length: their rounding, side
+/// times epsilon, is at most a tenth of the least distance that [`DEEP`] asks for. Up to $2^{32}$
+/// lobes in f32, $2^{90}$ in f64.
 #[inline(always)]
 pub(super) fn serves_plain_corners<R: Real>(side2: R) -> bool {
     let longest = R::lit(1.0 / 16384.0) / (R::EPSILON * R::EPSILON);
     side2 <= longest * longest
 }
 
-/// Mean over a parallelogram around or beside the lobe, if it is one that its corners in plain arithmetic serve:
-/// the common case of a large footprint.
+/// Mean over a parallelogram around or beside the lobe, if it is one that its corners in plain
+/// arithmetic serve: the common case of a large footprint.
 ///
 /// In terms of corners $p_k$, the term of an edge $e = p_{k+1} - p_k$ with $c = p_k \times e$ and
-/// $r = \sqrt{e^2 + c^2}$ is $\frac{c}{r} \mathrm{atan2}(r, 1 + p_k \cdot p_{k+1})$: Lambert's formula for
-/// the directions $(p_k, 1)$. Its terms are of order one, and so must the mass be, nearly: the parallelogram
-/// is near and thick. Of a long one the corners have lost digits; they do not matter if all edges pass at a
-/// distance of the lobe, as the mass beyond falls like their cube.
+/// $r = \sqrt{e^2 + c^2}$ is $\frac{c}{r} \mathrm{atan2}(r, 1 + p_k \cdot p_{k+1})$: Lambert's
+/// formula for the directions $(p_k, 1)$. Its terms are of order one, and so must the mass be,
+/// nearly: the parallelogram is near and thick. Of a long one the corners have lost digits; they do
+/// not matter if all edges pass at a distance of the lobe, as the mass beyond falls like their
+/// cube.
 #[inline(always)]
 pub(super) fn around_the_lobe<R: Real>(
     w: &Whitened<R>,
@@ -95,9 +98,9 @@ pub(super) fn around_the_lobe<R: Real>(
     (near || inward).then_some(mean)
 }
 
-/// The four edges, counter-clockwise from the bottom: signed distance d of the lobe's center from each
-/// line, positive to its left, coordinates along it of its two ends, and its length. An array each, as the
-/// terms are evaluated side by side.
+/// The four edges, counter-clockwise from the bottom: signed distance d of the lobe's center from
+/// each line, positive to its left, coordinates along it of its two ends, and its length. An array
+/// each, as the terms are evaluated side by side.
 struct Edges<R> {
     d: [R; 4],
     t0: [R; 4],
@@ -142,7 +145,8 @@ impl<R: Real> Edges<R> {
         terms
     }
 
-    /// True if the edge points at the lobe, so that its angles on the sphere and on the plane nearly agree.
+    /// True if the edge points at the lobe, so that its angles on the sphere and on the plane
+    /// nearly agree.
     #[inline(always)]
     fn is_radial(&self, k: usize) -> bool {
         let (product, square) = (self.t0[k] * self.t1[k], self.d[k] * self.d[k]);
@@ -169,8 +173,9 @@ impl<R: Real> Edges<R> {
 pub(super) fn mass<R: Real>(p: &Frame<R>) -> R {
     let edges = Edges::new(p);
     let turn = R::lit(0.5 * core::f64::consts::FRAC_1_PI);
-    // From outside, the terms add up to whole turns plus a mass that falls like the squared distance: far
-    // away the turns are left out. (The bounding rectangle of a long sheared footprint does not tell.)
+    // From outside, the terms add up to whole turns plus a mass that falls like the squared
+    // distance: far away the turns are left out. (The bounding rectangle of a long sheared
+    // footprint does not tell.)
     let terms =
         if edges.distance_squared() <= R::lit(3.0) { edges.terms(near) } else { edges.far_terms() };
     let sum = (terms[0] + terms[1]) + (terms[2] + terms[3]);
@@ -185,11 +190,12 @@ fn near<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     d / s * (length * s).upper_angle(q + t0 * t1)
 }
 
-/// An edge's term less the angle F that the edge subtends at the center of the flat plane: both are of
-/// order one, their difference of order 1/q, formed without subtracting them.
+/// An edge's term less the angle F that the edge subtends at the center of the flat plane: both are
+/// of order one, their difference of order 1/q, formed without subtracting them.
 ///
 /// With $\delta = \sqrt q - |d| = 1/(\sqrt q + |d|)$, the formula's angle A exceeds F by
-/// $\mathrm{atan2}(\ell \delta (t_0 t_1 - \sqrt q |d|),\; (q + t_0 t_1)(d^2 + t_0 t_1) + \ell^2 \sqrt q
+/// $\mathrm{atan2}(\ell \delta (t_0 t_1 - \sqrt q |d|),\; (q + t_0 t_1)(d^2 + t_0 t_1) + \ell^2
+/// \sqrt q
 /// |d|)$, and $|d|/\sqrt q = 1 - \delta/\sqrt q$. The angles F sum to whole turns.
 #[inline(always)]
 fn far<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
@@ -206,11 +212,12 @@ fn far<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     if d > R::ZERO { term } else { -term }
 }
 
-/// $F - \frac{d}{s} A$ of [`far`] for an edge that points at the lobe, whose two angles nearly agree.
+/// $F - \frac{d}{s} A$ of [`far`] for an edge that points at the lobe, whose two angles nearly
+/// agree.
 ///
 /// With $E(z) = \arctan z - z/(1 + z^2)$ and $z_x = x \ell/(x^2 + t_0 t_1)$ it is
-/// $d \ell \frac{(d^2 + t_0 t_1)(q + t_0 t_1) + t_0 t_1 \ell^2}{(d^2 + t_0^2)(d^2 + t_1^2)(q + t_0^2)(q +
-/// t_1^2)} + E(z_d) - \frac{d}{s} E(z_s)$: a sum of positive terms and a small rest.
+/// $d \ell \frac{(d^2 + t_0 t_1)(q + t_0 t_1) + t_0 t_1 \ell^2}{(d^2 + t_0^2)(d^2 + t_1^2)(q +
+/// t_0^2)(q + t_1^2)} + E(z_d) - \frac{d}{s} E(z_s)$: a sum of positive terms and a small rest.
 #[inline(always)]
 fn radial<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     let (product, d2) = (t0 * t1, d * d);

@@ -1,5 +1,5 @@
-//! The frame along a footprint's longer side, with its corners: for what is neither small, narrow nor around
-//! the lobe.
+//! The frame along a footprint's longer side, with its corners: for what is neither small, narrow
+//! nor around the lobe.
 //!
 //! Layer 3.
 
@@ -8,8 +8,8 @@ use crate::scalar::Real;
 use crate::scalar::exact::{cross, difference_of_products, two_sum};
 use crate::slope::{Footprint, Isotropic, LobeShape};
 
-/// A parallelogram in the frame (t, n) of its longer side: sides (length, 0) and (shear, height), with
-/// `0 <= shear <= length` and `height >= 0`; and its corners.
+/// A parallelogram in the frame (t, n) of its longer side: sides (length, 0) and (shear, height),
+/// with `0 <= shear <= length` and `height >= 0`; and its corners.
 #[derive(Clone, Copy)]
 pub(super) struct Frame<R> {
     pub(super) length: R,
@@ -30,7 +30,8 @@ pub(super) struct Frame<R> {
     /// Signed distance of the lobe's center from the left and the right side, positive within.
     pub(super) within_left: R,
     pub(super) within_right: R,
-    /// One plus the squared distance from the lobe's center to the bounding rectangle of this frame.
+    /// One plus the squared distance from the lobe's center to the bounding rectangle of this
+    /// frame.
     pub(super) nearness: R,
 }
 
@@ -45,8 +46,9 @@ impl<R: Real> Frame<R> {
     /// From slope space, with every corner as exact as if it were the center.
     ///
     /// Corners are summed in slope space with their errors, then whitened. Cross products survive
-    /// whitening up to the determinant, and in slope space their cancellation is compensated: a footprint
-    /// of a thousand lobes by a thousandth has its height and its distances in all digits.
+    /// whitening up to the determinant, and in slope space their cancellation is compensated: a
+    /// footprint of a thousand lobes by a thousandth has its height and its distances in all
+    /// digits.
     #[inline(never)]
     pub(super) fn exact<S: LobeShape<Scalar = R>>(
         w: &Whitened<R>,
@@ -67,7 +69,8 @@ impl<R: Real> Frame<R> {
         footprint: &Footprint<R>,
     ) -> Self {
         let (zero, half) = (R::ZERO, R::HALF);
-        // Sides that nearly agree are compared by their difference: rounded lengths may tell the wrong one.
+        // Sides that nearly agree are compared by their difference: rounded lengths may tell the
+        // wrong one.
         let swap = if EXACT {
             let (u, v) = (footprint.u, footprint.v);
             let white = |w: [R; 2]| shape.whiten(w, [zero; 2]);

@@ -1,7 +1,9 @@
 //! GGX averaged over a parallelogram: the tree of cases, and its branches.
 //!
-//! Layer 3. [`tree`] chooses; every other file is one branch, or what branches share.
+//! Layer 3. `tree` chooses; `brdf` shades by what it finds; every other file is a branch, or what
+//! branches share.
 
+mod brdf;
 mod edges;
 mod frame;
 mod secant;

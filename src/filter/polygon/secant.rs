@@ -1,23 +1,25 @@
 //! How high the normals stand that a footprint's mean density comes from.
 //!
-//! Layer 3. D is P22 times $1/m_z^4 = (1 + |s|^2)^2$, and a pixel sees the mean of that product. Of a footprint that
-//! reaches from the horizon to the lobe the mean of P22 is the lobe's: the half vector's own height, as in Kaplanyan
-//! et al. 2016, then multiplies it by millions.
+//! Layer 3. D is P22 times $1/m_z^4 = (1 + |s|^2)^2$, and a pixel sees the mean of that product. Of
+//! a footprint that reaches from the horizon to the lobe the mean of P22 is the lobe's: the half
+//! vector's own height, as in Kaplanyan et al. 2016, then multiplies it by millions.
 
 use super::strip::{Whitened, dot};
 use crate::scalar::Real;
 use crate::slope::Footprint;
 
-/// $1 + |s|^2$ of the slope s that stands for the footprint's mean, over that of the half vector's slope.
+/// $1 + |s|^2$ of the slope s that stands for the footprint's mean, over that of the half vector's
+/// slope.
 ///
-/// `q` and `slope` are the half vector's, `ratio` is the root of mean over point density: the mean is the density
-/// where $1 + q_* = (1 + q)/\mathrm{ratio}$. A first slope is the footprint's densest point along sides that are long
-/// against the lobe there, and the half vector along short ones; the way from its q to $q_*$ is converted at the
-/// footprint's own rate of slope to whitened slope. For isotropic lobes that is $1 + \alpha^2 q_*$ whatever the first
-/// slope. Between 1 and the farthest corner's value.
+/// `q` and `slope` are the half vector's, `ratio` is the root of mean over point density: the mean
+/// is the density where $1 + q_* = (1 + q)/\mathrm{ratio}$. A first slope is the footprint's
+/// densest point along sides that are long against the lobe there, and the half vector along short
+/// ones; the way from its q to $q_*$ is converted at the footprint's own rate of slope to whitened
+/// slope. For isotropic lobes that is $1 + \alpha^2 q_*$ whatever the first slope. Between 1 and
+/// the farthest corner's value.
 ///
-/// `groove` is called only if the whitened sides are nearly parallel. It returns the first slope and its q if the lobe is so
-/// much narrower along one axis that it is a groove to the footprint.
+/// `groove` is called only if the whitened sides are nearly parallel. It returns the first slope
+/// and its q if the lobe is so much narrower along one axis that it is a groove to the footprint.
 #[inline]
 pub(super) fn secant_ratio<R: Real>(
     slope: [R; 2],
@@ -46,7 +48,8 @@ pub(super) fn secant_ratio<R: Real>(
         [0, 1].map(|k| slope[k].abs() + R::HALF * (footprint.u[k].abs() + footprint.v[k].abs()));
     let secant = one + dot(s, s) + (there - first_squared) * rate;
     let secant = secant.max(one).min(one + dot(corner, corner));
-    // A mean that is the point's density but for its own rounding says nothing about where it comes from.
+    // A mean that is the point's density but for its own rounding says nothing about where it comes
+    // from.
     let same = (one - ratio).abs() <= R::lit(16.0) * R::EPSILON;
     if same { one } else { secant / (one + dot(slope, slope)) }
 }
@@ -77,8 +80,8 @@ fn first_place<R: Real>(
     [i, j, dot(first, first)]
 }
 
-/// Where the footprint is densest, in sides from its center: at the lobe's center if it covers that, else at the
-/// nearest point of the four edges, whitened.
+/// Where the footprint is densest, in sides from its center: at the lobe's center if it covers
+/// that, else at the nearest point of the four edges, whitened.
 #[inline]
 fn densest<R: Real>(
     whitened: &Whitened<R>,
@@ -110,7 +113,8 @@ fn densest<R: Real>(
     if edges[0].0 <= edges[1].0 { edges[0].1 } else { edges[1].1 }
 }
 
-/// The point nearest to the origin on a side through `start`, half of it each way: in sides, and its squared distance.
+/// The point nearest to the origin on a side through `start`, half of it each way: in sides, and
+/// its squared distance.
 #[inline(always)]
 fn along<R: Real>(start: [R; 2], side: [R; 2], squared: R) -> (R, R) {
     let t = (-dot(start, side) / squared.max(R::MIN_POSITIVE)).min(R::HALF).max(-R::HALF);

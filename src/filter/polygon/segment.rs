@@ -1,8 +1,9 @@
 //! The unit GGX density, and its means along a segment: what thin polygons are made of.
 //!
-//! Layer 3. The unit density is $1/(\pi (1 + |w|^2)^2)$ on the whitened plane. A point of the segment has
-//! coordinate t along it and distance d from its line to the lobe's center; $q = 1 + d^2$, $s = \sqrt q$.
-//! Straight-line code throughout: quadratures evaluate several segments at once.
+//! Layer 3. The unit density is $1/(\pi (1 + |w|^2)^2)$ on the whitened plane. A point of the
+//! segment has coordinate t along it and distance d from its line to the lobe's center; $q = 1 +
+//! d^2$, $s = \sqrt q$. Straight-line code throughout: quadratures evaluate several segments at
+//! once.
 
 use crate::scalar::Real;
 
@@ -36,8 +37,8 @@ fn integral<R: Real>(s: R, t0: R, t1: R) -> R {
 
 /// Mean of the unit density over the segment from `t0` to `t1` at distance `d`.
 ///
-/// `length = t1 - t0 > 0`, known better than by that difference, and not small against the distance to
-/// the center (quadrature serves there).
+/// `length = t1 - t0 > 0`, known better than by that difference, and not small against the distance
+/// to the center (quadrature serves there).
 #[inline(always)]
 pub(super) fn uniform_mean<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     let q = R::ONE + d * d;
@@ -45,11 +46,11 @@ pub(super) fn uniform_mean<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     integral(s, t0, t1) / (R::TWO * R::PI * q * s * length)
 }
 
-/// The same for a segment within three units of the lobe, by one arctangent: what its two terms cancel is
-/// then at most the squared distance.
+/// The same for a segment within three units of the lobe, by one arctangent: what its two terms
+/// cancel is then at most the squared distance.
 ///
-/// $\int_{t_0}^{t_1} \frac{dt}{(q + t^2)^2} = \frac{\ell (q - t_0 t_1)}{2 q (q + t_0^2)(q + t_1^2)} +
-/// \frac{\mathrm{atan2}(\ell s, q + t_0 t_1)}{2 q s}$
+/// $\int_{t_0}^{t_1} \frac{dt}{(q + t^2)^2} = \frac{\ell (q - t_0 t_1)}{2 q (q + t_0^2)(q +
+/// t_1^2)} + \frac{\mathrm{atan2}(\ell s, q + t_0 t_1)}{2 q s}$
 #[inline(always)]
 pub(super) fn near_mean<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     let q = R::ONE + d * d;
@@ -62,7 +63,8 @@ pub(super) fn near_mean<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
 
 /// The mean of [`apex_mean`] for a segment within three units of the lobe, by one arctangent.
 ///
-/// $\frac{1}{\pi q \ell^2} [\frac{\ell t_1}{q + t_1^2} - \frac{t_0}{s} \mathrm{atan2}(\ell s, q + t_0 t_1)]$
+/// $\frac{1}{\pi q \ell^2} [\frac{\ell t_1}{q + t_1^2} - \frac{t_0}{s} \mathrm{atan2}(\ell s, q +
+/// t_0 t_1)]$
 #[inline(always)]
 pub(super) fn near_apex_mean<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     let q = R::ONE + d * d;
@@ -72,8 +74,8 @@ pub(super) fn near_apex_mean<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     (sum / (R::PI * q * s * end * (length * length))).max(R::ZERO)
 }
 
-/// Mean over the segment with weight growing from 0 at `t0` to 2 at `t1`: a fibre of a triangle from its
-/// apex. `length = t1 - t0`, known better than by that difference.
+/// Mean over the segment with weight growing from 0 at `t0` to 2 at `t1`: a fibre of a triangle
+/// from its apex. `length = t1 - t0`, known better than by that difference.
 ///
 /// $\frac{2}{\pi \ell^2} \int (t - t_0)/(q + t^2)^2 dt = \frac{2}{\pi \ell^2}
 /// [\frac{\ell (t_0 + t_1)}{2 (q + t_0^2)(q + t_1^2)} - t_0 \int dt/(q + t^2)^2]$

@@ -1,7 +1,7 @@
 //! A whitened footprint, and the strip along its longer side.
 //!
-//! Layer 3. The common case of a thin footprint: its shorter side is short against its distance from the
-//! lobe, so that fibres along the longer one change smoothly across.
+//! Layer 3. The common case of a thin footprint: its shorter side is short against its distance
+//! from the lobe, so that fibres along the longer one change smoothly across.
 
 use super::segment::{near_mean, uniform_mean};
 use crate::scalar::Real;
@@ -58,8 +58,8 @@ impl<R: Real> Whitened<R> {
     }
 }
 
-/// A parallelogram in the frame (t, n) along and across its longer side: that side's ends on the middle line,
-/// and the shorter side (lean, rise).
+/// A parallelogram in the frame (t, n) along and across its longer side: that side's ends on the
+/// middle line, and the shorter side (lean, rise).
 #[derive(Clone, Copy)]
 pub(super) struct Strip<R> {
     start: R,
@@ -69,7 +69,8 @@ pub(super) struct Strip<R> {
     length: R,
     lean: R,
     rise: R,
-    /// One plus the squared distance from the lobe's center to the bounding rectangle of this frame.
+    /// One plus the squared distance from the lobe's center to the bounding rectangle of this
+    /// frame.
     nearness: R,
 }
 
@@ -111,8 +112,8 @@ impl<R: Real> Strip<R> {
         Self { nearness: nearness(along, [self.n - climb, self.n + climb]), ..self }
     }
 
-    /// Mean of the unit density over a long narrow strip, from ends and distance as exact as if each were the
-    /// center; none if that shows that the strip is not narrow.
+    /// Mean of the unit density over a long narrow strip, from ends and distance as exact as if
+    /// each were the center; none if that shows that the strip is not narrow.
     ///
     /// See [`Frame::exact`](super::frame::Frame::exact).
     #[inline(never)]
@@ -139,8 +140,8 @@ impl<R: Real> Strip<R> {
         strip.is_narrow().then(|| strip.mean())
     }
 
-    /// True if no corner can lie much nearer to the lobe than the strip is long, so that the rounding of
-    /// center and sides, which all corners inherit, does not show.
+    /// True if no corner can lie much nearer to the lobe than the strip is long, so that the
+    /// rounding of center and sides, which all corners inherit, does not show.
     #[inline(always)]
     pub(super) fn keeps_digits(&self) -> bool {
         self.length * self.length <= R::lit(LONG * LONG) * self.nearness

@@ -10,12 +10,12 @@ use crate::scalar::quadrature::{GAUSS_FOUR, Rule};
 /// How far the ends of fibres may slide past the lobe, in distances, for one rule to follow.
 const SLIDE: f64 = 0.25 * 0.25;
 
-/// The square of how thick a parallelogram is where it matters: the largest ratio, over the pieces that
-/// [`mean`] cuts it into, of thickness to distance from the lobe.
+/// The square of how thick a parallelogram is where it matters: the largest ratio, over the pieces
+/// that [`mean`] cuts it into, of thickness to distance from the lobe.
 ///
-/// A triangle is as thick as its height only at its base. At t it has the height's share (t - apex)/shear,
-/// and that over $\sqrt{1 + t^2}$ is at most $\sqrt{1 + apex^2}$/shear: however long, a footprint with an
-/// acute corner near the lobe is thin there.
+/// A triangle is as thick as its height only at its base. At t it has the height's share (t -
+/// apex)/shear, and that over $\sqrt{1 + t^2}$ is at most $\sqrt{1 + apex^2}$/shear: however long,
+/// a footprint with an acute corner near the lobe is thin there.
 #[inline(always)]
 pub(super) fn thickness_squared<R: Real>(p: &Frame<R>) -> R {
     let height2 = p.height * p.height;
@@ -40,10 +40,10 @@ pub(super) fn thickness_squared<R: Real>(p: &Frame<R>) -> R {
 
 /// Mean of the unit density over a parallelogram that is thin, by [`thickness_squared`].
 ///
-/// Fibres run along the long side. Where the short side reaches far along the long one, the ends of such
-/// fibres would sweep past the lobe, and no rule across would follow; the parallelogram is then cut
-/// square into a rectangle and two triangles whose short sides lie across. A zero height is no special
-/// case.
+/// Fibres run along the long side. Where the short side reaches far along the long one, the ends of
+/// such fibres would sweep past the lobe, and no rule across would follow; the parallelogram is
+/// then cut square into a rectangle and two triangles whose short sides lie across. A zero height
+/// is no special case.
 #[inline(always)]
 pub(super) fn mean<R: Real, const N: usize>(p: &Frame<R>, rule: &Rule<N>) -> R {
     // Within three units of the lobe; its fibres' products of four lengths must stay in range.
@@ -81,8 +81,8 @@ fn mean_of<R: Real, const N: usize>(
     } else {
         rule.mean(|y| uniform(distance_at(y), start, end, p.square))
     };
-    // Both triangles from their apex; the right one is the left one turned half round. A loop, as a closure
-    // this large would be called node by node.
+    // Both triangles from their apex; the right one is the left one turned half round. A loop, as a
+    // closure this large would be called node by node.
     let (nodes, weights) = rule.points();
     let (mut left, mut right) = ([R::ZERO; N], [R::ZERO; N]);
     for k in 0..N {
@@ -97,10 +97,11 @@ fn mean_of<R: Real, const N: usize>(
     (middle * p.square + triangles * (half * p.shear)) / p.length
 }
 
-/// The fibre from a triangle's apex to its base, `shear` away, at height `y` of the base: distance of its line,
-/// ends, length.
+/// The fibre from a triangle's apex to its base, `shear` away, at height `y` of the base: distance
+/// of its line, ends, length.
 ///
-/// The distance comes from the nearer end: of a fibre of a million lobes, the farther one has no digits for it.
+/// The distance comes from the nearer end: of a fibre of a million lobes, the farther one has no
+/// digits for it.
 #[inline(always)]
 fn triangle_fibre<R: Real>(p: &Frame<R>, apex: [R; 2], base: R, y: R) -> [R; 4] {
     let rise = (y + R::HALF) * p.height;

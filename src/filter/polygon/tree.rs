@@ -1,43 +1,46 @@
 //! GGX over a parallelogram, exactly: any A, any mean, any aspect, zero area included.
 //!
-//! Layer 3. Whitened by $L^{-1}$ ($A = L L^T$), GGX is the unit density $1/(\pi (1 + |w|^2)^2)$, and
-//! its mass over a polygon is Lambert's formula in another guise: GGX is a linearly transformed cosine.
-//! This settles what Kaplanyan et al. 2016 leave open in section 5.3. One formula does not serve every
-//! footprint in floating point; the size of the parallelogram against its distance from the lobe decides
-//! among some that agree where they meet:
+//! Layer 3. Whitened by $L^{-1}$ ($A = L L^T$), GGX is the unit density $1/(\pi (1 + |w|^2)^2)$,
+//! and its mass over a polygon is Lambert's formula in another guise: GGX is a linearly transformed
+//! cosine. This settles what Kaplanyan et al. 2016 leave open in section 5.3. One formula does not
+//! serve every footprint in floating point; the size of the parallelogram against its distance from
+//! the lobe decides among some that agree where they meet:
 //!
-//! - longer than $2^{48}$ lobes ($2^{106}$ in f64), or over a mirror or a groove: the lobe is a point or a line (groove.rs);
+//! - longer than $2^{48}$ lobes ($2^{106}$ in f64), or over a mirror or a groove: the lobe is a
+//!   point or a line (groove.rs);
 //! - small: tensor Gauss-Legendre, no transcendental function;
-//! - thick, and around or beside the lobe: the sum over the four edges, straight from the corners (edges.rs);
+//! - thick, and around or beside the lobe: the sum over the four edges, straight from the corners
+//!   (edges.rs);
 //! - narrow: exact means along the long side, Gauss-Legendre across (strip.rs);
 //! - thin though sheared: the same for its pieces (thin.rs);
 //! - otherwise: the edges again, far ones without the turns that they add up to (edges.rs).
 //!
-//! Of a footprint that is long against its distance, whitened coordinates have lost the digits that matter: its
-//! corners then come from slope space, with compensated sums (frame.rs).
+//! Of a footprint that is long against its distance, whitened coordinates have lost the digits that
+//! matter: its corners then come from slope space, with compensated sums (frame.rs).
 
 use super::frame::Frame;
-use super::secant::secant_ratio;
 use super::segment::unit_density;
 use super::strip::{Strip, Whitened};
 use super::{edges, thin};
 use crate::filter::groove;
-use crate::ndf::{Distribution, GgxDistribution, Ndf};
-use crate::scalar::exact::{two_product, two_sum};
+use crate::ndf::{GgxDistribution, Ndf};
+use crate::scalar::exact::two_sum;
 use crate::scalar::quadrature::{GAUSS_EIGHT, GAUSS_FOUR, GAUSS_TWO, Rule};
 use crate::scalar::{Internal, Real};
 use crate::slope::{Footprint, LobeShape};
 
-/// Squared ratio of a side to the distance of the nearest pole, below which a rule of N nodes serves.
+/// Squared ratio of a side to the distance of the nearest pole, below which a rule of N nodes
+/// serves.
 ///
 /// The density has its poles where $|w|^2 = -1$: as far from a side's complex plane as the root of
-/// [`Frame::nearness`]. A rule of N nodes over x times that distance errs by about $(x/4)^{2N}$. In f32
-/// two nodes to 0.05 and four to 0.5 (6e-8); in f64 four nodes to 0.05 and eight to 0.5 (3e-15).
+/// [`Frame::nearness`]. A rule of N nodes over x times that distance errs by about $(x/4)^{2N}$. In
+/// f32 two nodes to 0.05 and four to 0.5 (6e-8); in f64 four nodes to 0.05 and eight to 0.5
+/// (3e-15).
 const COARSE: f64 = 0.05 * 0.05;
 const FINE: f64 = 0.5 * 0.5;
 
-/// The same for eight nodes in f32, 4e-7 at 1.6: a sharp corner of a long footprint holds so little mass that
-/// the edges' terms, of order one, cancel to it.
+/// The same for eight nodes in f32, 4e-7 at 1.6: a sharp corner of a long footprint holds so little
+/// mass that the edges' terms, of order one, cancel to it.
 const SHARP: f64 = 1.6 * 1.6;
 
 #[inline(always)]
@@ -66,23 +69,26 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
     /// Mean of $P_{22}$ over the parallelogram `slope +- u/2 +- v/2` of a footprint: exact.
     ///
     /// The mass over a polygon is, whitened ($w = L^{-1}(s - \mu)$), a sum over its edges:
-    /// $\frac{1}{2\pi} \sum \frac{d}{\sqrt q} \mathrm{atan2}(\ell \sqrt q, q + t_0 t_1)$, $d$ the signed
-    /// distance of the edge's line, $q = 1 + d^2$. A zero footprint gives $P_{22}$ itself, a segment the
-    /// mean along it. Error, relative: f32 below 1e-5 within ten alphas of the lobe (1.2e-5 in one of
-    /// ten million random footprints) and 1e-3 wherever the mean is a normal number; f64 below 1e-9. Components
-    /// beyond $10^9$ shrink the footprint to that, in proportion. Divide by $h_z^4$ for the filtered D ([`Ndf::brdf_over`] does).
+    /// $\frac{1}{2\pi} \sum \frac{d}{\sqrt q} \mathrm{atan2}(\ell \sqrt q, q + t_0 t_1)$, $d$ the
+    /// signed distance of the edge's line, $q = 1 + d^2$. A zero footprint gives $P_{22}$ itself, a
+    /// segment the mean along it. Error, relative: f32 below 1e-5 within ten alphas of the lobe
+    /// (1.2e-5 in one of ten million random footprints) and 1e-3 wherever the mean is a normal
+    /// number; f64 below 1e-9. Components beyond $10^9$ shrink the footprint to that, in
+    /// proportion. Divide by $h_z^4$ for the filtered D ([`Ndf::brdf_over`] does).
     ///
-    /// A mirror's mean is one over the footprint's area if the footprint holds the lobe's mean slope, half of that if
-    /// the mean slope lies on a side, a quarter if it is a corner, and 0 outside. A groove's, of a lobe that is a mirror
-    /// along one axis, is the mass of the chord that the footprint cuts from the line through the mean slope,
-    /// $\frac12 [x/\sqrt{\alpha^2 + x^2}]$ between the chord's ends, over the area. A footprint without area has
-    /// the mean 0 of a mirror, and of a groove unless it is a segment that crosses it. Alphas in between tend to these
-    /// values: below 1e-9 in f32 within 1e-4 of one over the area. A lobe also counts as a mirror or as a groove if
-    /// $\sqrt{\det A}$ is no normal number of f32, if the footprint is thicker than $2^{48}$ of the wider alpha, or if it
-    /// reaches across a groove, of alphas $2^{24}$ apart, by $2^{48}$ of the narrower one ($2^{106}$ in f64).
+    /// A mirror's mean is one over the footprint's area if the footprint holds the lobe's mean
+    /// slope, half of that if the mean slope lies on a side, a quarter if it is a corner, and 0
+    /// outside. A groove's, of a lobe that is a mirror along one axis, is the mass of the chord
+    /// that the footprint cuts from the line through the mean slope, $\frac12 [x/\sqrt{\alpha^2 +
+    /// x^2}]$ between the chord's ends, over the area. A footprint without area has the mean 0 of a
+    /// mirror, and of a groove unless it is a segment that crosses it. Alphas in between tend to
+    /// these values: below 1e-9 in f32 within 1e-4 of one over the area. A lobe also counts as a
+    /// mirror or as a groove if $\sqrt{\det A}$ is no normal number of f32, if the footprint is
+    /// thicker than $2^{48}$ of the wider alpha, or if it reaches across a groove, of alphas
+    /// $2^{24}$ apart, by $2^{48}$ of the narrower one ($2^{106}$ in f64).
     ///
-    /// Source: derived here by Green's theorem; the polygon integral of Loubet et al. 2020 in another
-    /// form. It answers the open question of Kaplanyan et al. 2016, section 5.3.
+    /// Source: derived here by Green's theorem; the polygon integral of Loubet et al. 2020 in
+    /// another form. It answers the open question of Kaplanyan et al. 2016, section 5.3.
     ///
     /// ```
     /// use lobe::{Footprint, Anisotropic, Ggx, Roughness};
@@ -108,8 +114,9 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
         self.mean_of(&whitened, offset, footprint)
     }
 
-    /// The mean over a whitened footprint that resolves the lobe, `offset` its center less the lobe's, as an unevaluated sum.
-    fn mean_of(
+    /// The mean over a whitened footprint that resolves the lobe, `offset` its center less the
+    /// lobe's, as an unevaluated sum.
+    pub(super) fn mean_of(
         &self,
         whitened: &Whitened<S::Scalar>,
         (offset, low): ([S::Scalar; 2], [S::Scalar; 2]),
@@ -118,7 +125,8 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
         let shape = self.shape();
         let root_det = shape.root_det();
         let (center2, side2) = (whitened.center_squared(), whitened.longer_side_squared());
-        // The distance to the footprint is at least two thirds of that to its center, or does not matter.
+        // The distance to the footprint is at least two thirds of that to its center, or does not
+        // matter.
         let nearness = S::Scalar::ONE + S::Scalar::lit(4.0 / 9.0) * center2;
         let around = || {
             let exact_area = || footprint.area() / root_det;
@@ -156,7 +164,7 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
     }
 
     /// Slope less mean of `slope + slope_low`, as an unevaluated sum.
-    fn offset_of(
+    pub(super) fn offset_of(
         &self,
         slope: [S::Scalar; 2],
         slope_low: [S::Scalar; 2],
@@ -167,8 +175,8 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
         ([x.0, y.0], [x.1, y.1])
     }
 
-    /// Mean of $P_{22}$ over the rectangle `slope +- widths/2` along the slope axes: exact, and stable
-    /// where the closed form of Appendix A is not.
+    /// Mean of $P_{22}$ over the rectangle `slope +- widths/2` along the slope axes: exact, and
+    /// stable where the closed form of Appendix A is not.
     ///
     /// Source: Kaplanyan et al. 2016, Eq. 16, for any A and mean; see
     /// [`kaplanyan_rectangle_mean`](crate::filter::kaplanyan_rectangle_mean) for the paper's form.
@@ -187,128 +195,5 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
         widths: impl Into<[S::Scalar; 2]>,
     ) -> S::Scalar {
         self.parallelogram_mean(slope, &Footprint::rectangle(widths))
-    }
-
-    /// The BRDF with D averaged over a footprint around the half vector's slope; masking and shadowing
-    /// unfiltered.
-    ///
-    /// $\tilde D = \overline{P_{22}} / m_z^4$, then as [`Ndf::brdf`], with the height $m_z$ of the normals that the mean
-    /// comes from: of a zero footprint the half vector's, and then the result is the BRDF. It is the BRDF as well where
-    /// $P_{22}$ has no normal number, unless the footprint reaches the lobe. Sides of NaN count as huge.
-    ///
-    /// Kaplanyan divides by the half vector's $h_z^4$: of a half vector near the horizon whose footprint reaches the
-    /// lobe the mean is the lobe's, and the factor, far beyond a million, is not. What a pixel sees is the mean of
-    /// $P_{22}/m_z^4$. For isotropic lobes of alpha up to 1 ours is $\frac{1}{\pi\alpha^2} (\alpha^2 + (1 - \alpha^2)
-    /// \sqrt M)^2$ with $M = \pi\alpha^2 \overline{P_{22}}$: an upper bound of that mean (by Jensen's inequality), never
-    /// twice as large, never above the peak. For any other centered lobe it is an estimate: over random lobes of alphas
-    /// 0.05 to 0.9, slopes and footprints up to 2, within 10 % in 98 of 100 draws and within a factor 2 in all; up to 30,
-    /// within 50 % in 96 of 100, never above 4 times the mean, and in rare cases as low as a thirtieth of it
-    /// (tests/laws/over.rs).
-    ///
-    /// A mirror's or a groove's mean is taken at the height of the mirror's own normal, or of the groove's densest in the
-    /// footprint: $\overline{P_{22}} (1 + |s|^2)^2 V$, with V of [`Ndf::visibility`]. It is 0 over no area, as is the BRDF.
-    ///
-    /// Rounding: f32 within 1e-4 where the lobe lies within ten alphas, 1e-3 anywhere, and for alphas above 1 another
-    /// 64 roundings times alpha^2; f64 as [`Ndf::parallelogram_mean`].
-    ///
-    /// Source: Kaplanyan et al. 2016, Eq. 11 and section 4.4, but for the factor.
-    ///
-    /// ```
-    /// use lobe::{Footprint, Ggx, Isotropic};
-    /// let ggx = Ggx::new(Isotropic::new(0.01_f64)?);
-    /// let (wo, wi) = ([0.6, 0.0, 0.8], [-0.6, 0.0, 0.8]);
-    /// let point = ggx.brdf_over(wo, wi, &Footprint::rectangle([0.0, 0.0]));
-    /// assert!((point / ggx.brdf(wo, wi) - 1.0).abs() < 1e-12);
-    /// // A mirror over a pixel: one over the area, over 4 times both cosines.
-    /// let mirror = Ggx::new(Isotropic::new(0.0_f64)?);
-    /// let seen = mirror.brdf_over(wo, wi, &Footprint::rectangle([0.01, 0.01]));
-    /// assert!((seen - 3906.25).abs() < 1e-9);
-    /// # Ok::<(), lobe::Error>(())
-    /// ```
-    #[doc(alias = "lobe_ggx_brdf_over")]
-    pub fn brdf_over(
-        &self,
-        wo: impl Into<[S::Scalar; 3]>,
-        wi: impl Into<[S::Scalar; 3]>,
-        footprint: &Footprint<S::Scalar>,
-    ) -> S::Scalar {
-        let (wo, wi) = (wo.into(), wi.into());
-        let (zero, one) = (S::Scalar::ZERO, S::Scalar::ONE);
-        let brdf = self.brdf(wo, wi);
-        let (z, z_low) = two_sum(wo[2], wi[2]);
-        // The slope to twice the precision, as a narrow tilted lobe wants it.
-        let along = |k: usize| {
-            let (g, g_low) = two_sum(wo[k], wi[k]);
-            let slope = (-g / z).kept();
-            let (product, error) = two_product(slope, z);
-            (slope, (-(g + product).kept() - error - g_low - slope * z_low) / z)
-        };
-        let ((x, x_low), (y, y_low)) = (along(0), along(1));
-        let form = self.shape().form([-x, -y, one], [-x_low, -y_low, zero]);
-        let root_det = self.shape().root_det();
-        let pi_point = GgxDistribution::density(form, root_det, one, one, one);
-        let footprint = &footprint.bounded();
-        let offset = self.offset_of([x, y], [x_low, y_low]);
-        let whitened = Whitened::new(self.shape(), offset.0, offset.1, footprint);
-        let side2 = whitened.longer_side_squared();
-        if let Some(covered) = groove::unresolved(self.shape(), side2, offset, footprint) {
-            return if z > zero { self.groove_over(wo, wi, covered) } else { zero };
-        }
-        let mean = self.mean_of(&whitened, offset, footprint);
-        let most = S::Scalar::lit(groove::LARGEST_GAIN) * pi_point;
-        if !(pi_point >= S::Scalar::MIN_POSITIVE) || mean * S::Scalar::PI > most {
-            // The density at the half vector says nothing about the mean: a footprint that reaches the lobe has one.
-            let seen = groove::seen(self.shape(), offset, footprint, mean);
-            let reached = z > zero && seen.mean > zero;
-            return if reached { self.groove_over(wo, wi, seen).max(brdf) } else { brdf };
-        }
-        let ratio = (mean * S::Scalar::PI / pi_point).sqrt();
-        let groove = || self.groove_place(offset, footprint);
-        let secant = secant_ratio([x, y], form / root_det, ratio, footprint, &whitened, groove);
-        let factor = ratio * secant;
-        // `max` drops NaN: of a NaN footprint, or of 0 times infinity.
-        ((brdf * factor).kept() * factor).max(zero).min(S::Scalar::MAX)
-    }
-
-    /// [`Ndf::brdf_over`] of a mirror or a groove, for a half vector above the surface: the density of normals that its
-    /// footprint covers, at their own height.
-    #[inline(never)]
-    fn groove_over(
-        &self,
-        wo: [S::Scalar; 3],
-        wi: [S::Scalar; 3],
-        groove::CoveredCell { mean, place }: groove::CoveredCell<S::Scalar>,
-    ) -> S::Scalar {
-        let [x, y] = self.at_place(place);
-        let secant2 = S::Scalar::ONE + x * x + y * y;
-        // `max` drops NaN: of 0 times infinity.
-        let filtered = ((mean * self.visibility(wo, wi)).kept() * secant2).kept() * secant2;
-        filtered.max(S::Scalar::ZERO).min(S::Scalar::MAX)
-    }
-
-    /// The slope that the mean comes from, and its q, if the lobe is at least 300 times as long as wide and the footprint
-    /// reaches at least 300 of the lobe's widths across it; else none.
-    #[inline(never)]
-    fn groove_place(
-        &self,
-        offset: ([S::Scalar; 2], [S::Scalar; 2]),
-        footprint: &Footprint<S::Scalar>,
-    ) -> Option<([S::Scalar; 2], S::Scalar)> {
-        let (axis, alpha) = self.shape().major();
-        let least = S::Scalar::lit(groove::BRUSHED) * self.shape().root_det();
-        if !(alpha * alpha.min(groove::reach_across(axis, footprint)) >= least) {
-            return None;
-        }
-        let place = groove::covered(self.shape(), offset, footprint).place;
-        let [x, y] = place.map(|x| (x / alpha).kept());
-        Some((self.at_place(place), x * x + y * y))
-    }
-
-    /// A slope from its difference to the mean slope.
-    #[inline(always)]
-    fn at_place(&self, [x, y]: [S::Scalar; 2]) -> [S::Scalar; 2] {
-        // The origin less the mean slope.
-        let ([a, b], _) = self.shape().offset([S::Scalar::ZERO; 2]);
-        [x - a, y - b]
     }
 }

@@ -13,18 +13,21 @@ use crate::scalar::hash::{hash, tail, uniform};
 /// In place of a bin, one that no half vector has (they end at 2^30): the golden ratio's digits.
 const COLOR: u32 = 2_654_435_769;
 
-/// What a coordinate's multiple of $2^{32}$ adds to the seed, along u and v: $2^{32}/\rho$ and $2^{32}/\rho^2$ with the plastic
-/// ratio, $\rho^3 = \rho + 1$, made odd. The shortest pair of multiples whose sum is 0 is (7843, 47809).
+/// What a coordinate's multiple of $2^{32}$ adds to the seed, along u and v: $2^{32}/\rho$ and
+/// $2^{32}/\rho^2$ with the plastic ratio, $\rho^3 = \rho + 1$, made odd. The shortest pair of
+/// multiples whose sum is 0 is (7843, 47809).
 const FAR: [u32; 2] = [3_242_174_889, 2_447_445_413];
 
 /// The random numbers of a cell, one for each purpose.
 ///
-/// Cells of size $2^k$ have their centers at whole multiples of it, so every center of a coarse grid is one of each
-/// finer grid. A cell is known by its center alone, $i 2^k$ as an odd number times a power of two: equal on all
-/// levels that have it, different for any two centers, and as deep as the range of exponents.
+/// Cells of size $2^k$ have their centers at whole multiples of it, so every center of a coarse
+/// grid is one of each finer grid. A cell is known by its center alone, $i 2^k$ as an odd number
+/// times a power of two: equal on all levels that have it, different for any two centers, and as
+/// deep as the range of exponents.
 ///
-/// Zirr & Kaplanyan 2016, section 4.1, shift the index right by its trailing zeros, each axis by its own: of the
-/// 65536 indices of a square around the origin a quarter is left (tests/laws/errata_glints.rs).
+/// Zirr & Kaplanyan 2016, section 4.1, shift the index right by its trailing zeros, each axis by
+/// its own: of the 65536 indices of a square around the origin a quarter is left
+/// (tests/laws/errata_glints.rs).
 ///
 /// ```
 /// use lobe::material::cells::Cell;
@@ -39,11 +42,13 @@ pub struct Cell {
 }
 
 impl Cell {
-    /// The cell of this index in the grid of cells of size $2^k$, `k` being `exponent`; `seed` tells surfaces apart.
+    /// The cell of this index in the grid of cells of size $2^k$, `k` being `exponent`; `seed`
+    /// tells surfaces apart.
     ///
-    /// Indices have 32 bits or 64, as [`CoveredCell::index`](super::CoveredCell::index). Odd numbers beyond 32 bits change the seed, by
-    /// multiples of two odd constants for which no two cells of one size are equal that lie less than $2^{47}$ cells apart.
-    /// Exponents beyond -300 to 300 are taken as those.
+    /// Indices have 32 bits or 64, as [`CoveredCell::index`](super::CoveredCell::index). Odd
+    /// numbers beyond 32 bits change the seed, by multiples of two odd constants for which no two
+    /// cells of one size are equal that lie less than $2^{47}$ cells apart. Exponents beyond -300
+    /// to 300 are taken as those.
     #[doc(alias = "lobe_cell_at")]
     #[doc(alias = "lobe_cell_at_wide")]
     #[inline]
@@ -75,7 +80,8 @@ impl Cell {
         tail(self.words[2])
     }
 
-    /// When it takes over from the cells of the next level, on the way to it: a uniform number in [0, 1).
+    /// When it takes over from the cells of the next level, on the way to it: a uniform number in
+    /// [0, 1).
     #[doc(alias = "lobe_cell_turn")]
     #[inline]
     pub fn turn<R: Real>(&self) -> R {
@@ -90,7 +96,8 @@ impl Cell {
         uniform(hash([a, b, COLOR, COLOR])[3])
     }
 
-    /// How many of its details reflect in an angular bin: a uniform number in (0, 1), the probability of more.
+    /// How many of its details reflect in an angular bin: a uniform number in (0, 1), the
+    /// probability of more.
     #[doc(alias = "lobe_cell_count")]
     #[inline]
     pub fn count<R: Real>(&self, bin: [i32; 2]) -> R {
@@ -105,7 +112,8 @@ impl Cell {
 struct Center {
     /// The odd number's lower word, which has its sign.
     odd: u32,
-    /// The odd number less `odd` (as a signed number), in units of $2^{32}$: 0 if the number has 32 bits.
+    /// The odd number less `odd` (as a signed number), in units of $2^{32}$: 0 if the number has 32
+    /// bits.
     more: u32,
     exponent: i32,
 }
@@ -134,8 +142,9 @@ impl Center {
 mod tests {
     use super::{Cell, FAR};
 
-    /// Every byte of every word is uniform at every level, in tiles near and far: models cut channels of them where they like (law C15). Chi-squared
-    /// of 255 degrees, at most 1.3 per degree over a square of cells, which chance exceeds once in a thousand times.
+    /// Every byte of every word is uniform at every level, in tiles near and far: models cut
+    /// channels of them where they like (law C15). Chi-squared of 255 degrees, at most 1.3 per
+    /// degree over a square of cells, which chance exceeds once in a thousand times.
     #[test]
     fn every_byte_is_uniform_at_every_level() {
         let (mut worst, mut above, mut count) = (0.0_f64, 0, 0);
@@ -166,11 +175,12 @@ mod tests {
         assert!(worst < 1.4 && above <= 4, "{worst}, {above} of {count} above 1.3");
     }
 
-    /// No pair of multiples below 2^15 adds 0 to the seed, but for the pair of zeros: cells of equal words lie 2^47 cells
-    /// apart.
+    /// No pair of multiples below 2^15 adds 0 to the seed, but for the pair of zeros: cells of
+    /// equal words lie 2^47 cells apart.
     #[test]
     fn no_short_pair_of_multiples_cancels() {
-        // An odd number's inverse by Newton's rule, each step of which doubles the right bits, three at first.
+        // An odd number's inverse by Newton's rule, each step of which doubles the right bits,
+        // three at first.
         let inverse =
             (0..4).fold(FAR[1], |x, _| x.wrapping_mul(2_u32.wrapping_sub(FAR[1].wrapping_mul(x))));
         assert_eq!(inverse.wrapping_mul(FAR[1]), 1);
@@ -192,7 +202,8 @@ mod tests {
         let limit = 5.0 / (count as f64).sqrt();
         for a in 0..8 {
             for b in 0..8 {
-                // The last two have equal odd numbers of 32 bits, and differ in their multiples of 2^32.
+                // The last two have equal odd numbers of 32 bits, and differ in their multiples of
+                // 2^32.
                 for [x, y] in [
                     [0, 0],
                     [1, 0],

@@ -6,10 +6,12 @@ use super::tile::compressed;
 use crate::scalar::Real;
 use crate::scalar::exact::cross;
 
-/// A pixel's place on a surface: texture coordinates, and how they change to the pixel on the right and above.
+/// A pixel's place on a surface: texture coordinates, and how they change to the pixel on the right
+/// and above.
 ///
-/// The coordinates are $tile + uv$, whole numbers and floats. Cells are counted from the tile by integers, so a pixel has as
-/// sound cells in tile $10^9$ as in tile 0 ([`Patch::in_tile`]). [`Patch::new`] has plain coordinates, tile 0.
+/// The coordinates are $tile + uv$, whole numbers and floats. Cells are counted from the tile by
+/// integers, so a pixel has as sound cells in tile $10^9$ as in tile 0 ([`Patch::in_tile`]).
+/// [`Patch::new`] has plain coordinates, tile 0.
 ///
 /// ```
 /// use lobe::material::cells::Patch;
@@ -32,11 +34,12 @@ pub struct Patch<R> {
 impl<R: Real> Patch<R> {
     /// From coordinates and derivatives.
     ///
-    /// In f32, coordinates have 24 bits: a pixel of width w (see [`Patch::width`]) has cells of its own size where
-    /// $\max(|u|, |v|) \le 2^{20} w$. There at least 8 different coordinates fall into a cell's width, so shares are right to
-    /// 1/16 of a cell. Farther away, cells of glints are as large as $2^{-20} \max(|u|, |v|)$: details in a cell grow like
-    /// the square of the distance, and the deviation of the sparkle falls like one over it. A pixel of width 1e-3 loses its
-    /// glints from |u| = 1000 on. [`Patch::in_tile`] has no such distance.
+    /// In f32, coordinates have 24 bits: a pixel of width w (see [`Patch::width`]) has cells of its
+    /// own size where $\max(|u|, |v|) \le 2^{20} w$. There at least 8 different coordinates fall
+    /// into a cell's width, so shares are right to 1/16 of a cell. Farther away, cells of glints
+    /// are as large as $2^{-20} \max(|u|, |v|)$: details in a cell grow like the square of the
+    /// distance, and the deviation of the sparkle falls like one over it. A pixel of width 1e-3
+    /// loses its glints from |u| = 1000 on. [`Patch::in_tile`] has no such distance.
     #[doc(alias = "lobe_patch_new")]
     #[inline]
     pub fn new(uv: impl Into<[R; 2]>, right: impl Into<[R; 2]>, up: impl Into<[R; 2]>) -> Self {
@@ -45,17 +48,19 @@ impl<R: Real> Patch<R> {
 
     /// From the whole part of the coordinates, what is left of them, and derivatives.
     ///
-    /// The coordinates are the exact sum $tile + uv$. Tile t with uv and tile t + 1 with uv - 1 are one place, and a place that
-    /// a float holds has the cells that [`Patch::new`] gives it; `uv` may lie outside of [0, 1), for pixels across a border or
-    /// triangles over several tiles, and loses precision by its own size only. Any tile of 32 bits will do. Cells are no smaller
-    /// than $2^{-20} \max(|u|, |v|)$ of `uv` alone, and outside of tile 0 no smaller than $2^{-31}$.
+    /// The coordinates are the exact sum $tile + uv$. Tile t with uv and tile t + 1 with uv - 1 are
+    /// one place, and a place that a float holds has the cells that [`Patch::new`] gives it; `uv`
+    /// may lie outside of [0, 1), for pixels across a border or triangles over several tiles, and
+    /// loses precision by its own size only. Any tile of 32 bits will do. Cells are no smaller than
+    /// $2^{-20} \max(|u|, |v|)$ of `uv` alone, and outside of tile 0 no smaller than $2^{-31}$.
     ///
-    /// For stretched details ([`Grid::stretched`](super::Grid::stretched)) coordinates are multiplied by a factor. The product
-    /// is taken exactly; its fraction is right to $2^{-22}$ in f32, so stretched cells outside of tile 0 are no smaller than
-    /// $2^{-19}$. In tile 0 they may be smaller: a pixel below that size on a border of tile 0 has other cells from there than
-    /// from the tile beside it. If the factor changes by d, the cells of tile t move by t d tiles: the factor should be a
-    /// constant of the surface. Devices whose square roots round differently have different factors, and so different cells
-    /// in far tiles.
+    /// For stretched details ([`Grid::stretched`](super::Grid::stretched)) coordinates are
+    /// multiplied by a factor. The product is taken exactly; its fraction is right to $2^{-22}$ in
+    /// f32, so stretched cells outside of tile 0 are no smaller than $2^{-19}$. In tile 0 they may
+    /// be smaller: a pixel below that size on a border of tile 0 has other cells from there than
+    /// from the tile beside it. If the factor changes by d, the cells of tile t move by t d tiles:
+    /// the factor should be a constant of the surface. Devices whose square roots round differently
+    /// have different factors, and so different cells in far tiles.
     ///
     /// ```
     /// use lobe::material::cells::Patch;
@@ -82,7 +87,8 @@ impl<R: Real> Patch<R> {
         Self { tile: tile.into(), uv: uv.into(), right: right.into(), up: up.into() }
     }
 
-    /// Sides of the box around the middles of the parallelogram's edges, $\max(|d_x|, |d_y|)$ per axis.
+    /// Sides of the box around the middles of the parallelogram's edges, $\max(|d_x|, |d_y|)$ per
+    /// axis.
     #[doc(alias = "lobe_patch_extents")]
     #[inline]
     pub fn extents(&self) -> [R; 2] {
@@ -97,7 +103,8 @@ impl<R: Real> Patch<R> {
         cross(self.right, self.up).abs()
     }
 
-    /// The smaller singular value of the derivatives: of a rectangle its shorter side, however it is turned.
+    /// The smaller singular value of the derivatives: of a rectangle its shorter side, however it
+    /// is turned.
     ///
     /// ```
     /// use lobe::material::cells::Patch;
@@ -111,7 +118,8 @@ impl<R: Real> Patch<R> {
         let long = a.max(b).max(R::MIN_POSITIVE);
         // In units of the extent, for squares of small derivatives have no digits.
         let [p, q] = [self.right, self.up].map(|d| d.map(|x| (x / long).kept()));
-        // The larger singular value without a difference of trace and determinant, which has half the digits of a square.
+        // The larger singular value without a difference of trace and determinant, which has half
+        // the digits of a square.
         let length = |x: R, y: R| (x * x + y * y).sqrt();
         let twice = length(p[0] + q[1], p[1] - q[0]) + length(p[0] - q[1], p[1] + q[0]);
         // A pixel without extent has no sum to divide by.

@@ -6,7 +6,8 @@
 use crate::scalar::Real;
 use crate::scalar::exact::two_product;
 
-/// Outside of tile 0 no cell is smaller than $2^{-31}$ of a tile: indices of tiles of 32 bits then fit into 64.
+/// Outside of tile 0 no cell is smaller than $2^{-31}$ of a tile: indices of tiles of 32 bits then
+/// fit into 64.
 pub(super) const FINEST: i32 = -31;
 
 /// The smallest cell of a tile: none in tile 0, whose indices count from the origin.
@@ -15,9 +16,9 @@ pub(in crate::material) fn finest<R: Real>(tile: [i32; 2]) -> R {
     if tile == [0; 2] { R::ZERO } else { R::power_of_two(FINEST) }
 }
 
-/// The index that cells of size $2^k$ are counted from, k being `exponent`: that of the tile's corner, or, if cells are
-/// larger than a tile, that of the last cell center not after it. It is 0 for cells above $2^{30}$, of which a few hold all
-/// tiles.
+/// The index that cells of size $2^k$ are counted from, k being `exponent`: that of the tile's
+/// corner, or, if cells are larger than a tile, that of the last cell center not after it. It is 0
+/// for cells above $2^{30}$, of which a few hold all tiles.
 #[inline]
 pub(in crate::material) fn corner(tile: i32, exponent: i32) -> i64 {
     if exponent <= 0 {
@@ -42,12 +43,13 @@ pub(in crate::material) fn place<R: Real>(tile: i32, fraction: R, exponent: i32)
     from_corner * R::power_of_two(-exponent)
 }
 
-/// A coordinate times a factor in [0, 1], as a tile and a fraction again. In f32 the fraction is off by $2^{-22}$ at most for
-/// fractions in [-1, 1], however far the tile is.
+/// A coordinate times a factor in [0, 1], as a tile and a fraction again. In f32 the fraction is
+/// off by $2^{-22}$ at most for fractions in [-1, 1], however far the tile is.
 #[inline]
 pub(super) fn compressed<R: Real>(tile: i32, fraction: R, factor: R) -> (i32, R) {
     let unit = R::power_of_two(16);
-    // Halves of the tile's number have 16 bits, so their products with the factor are exact as pairs.
+    // Halves of the tile's number have 16 bits, so their products with the factor are exact as
+    // pairs.
     let (upper, upper_rest) = two_product(number(tile >> 16), factor);
     let (lower, lower_rest) = two_product(number(tile & 0xffff), factor);
     let (a, part) = split(upper);
@@ -59,8 +61,8 @@ pub(super) fn compressed<R: Real>(tile: i32, fraction: R, factor: R) -> (i32, R)
     (whole, part + fraction * factor)
 }
 
-/// The whole number next to x towards 0, and the fraction that is left. Rounded away from 0, a fraction could need more bits
-/// than x has.
+/// The whole number next to x towards 0, and the fraction that is left. Rounded away from 0, a
+/// fraction could need more bits than x has.
 #[inline]
 fn split<R: Real>(x: R) -> (i32, R) {
     let size = x.abs().floor();
@@ -91,7 +93,8 @@ mod tests {
         words[0] as i32 >> (words[1] % 32)
     }
 
-    /// Corner and place sum to the coordinate: exactly in f64, where no bit of a fraction of 20 bits is lost.
+    /// Corner and place sum to the coordinate: exactly in f64, where no bit of a fraction of 20
+    /// bits is lost.
     #[test]
     fn corners_and_places_are_coordinates() {
         for k in 0..100_000 {
@@ -114,7 +117,8 @@ mod tests {
         x as i128
     }
 
-    /// A product's tile and fraction against integers of 128 bits: floats are odd numbers times powers of two.
+    /// A product's tile and fraction against integers of 128 bits: floats are odd numbers times
+    /// powers of two.
     #[test]
     fn compressed_tiles_keep_their_fraction() {
         let mut largest = 0.0_f64;

@@ -1,4 +1,5 @@
-//! How many of n details reflect, from one uniform number: a binomial draw without a loop over details.
+//! How many of n details reflect, from one uniform number: a binomial draw without a loop over
+//! details.
 //!
 //! Layer 4.
 
@@ -11,7 +12,8 @@ pub(super) const STEPS: u32 = 24;
 /// Means between these blend from the inverted distribution to the normal one.
 const BLEND: [f64; 2] = [4.0, 8.0];
 
-/// Ratio of neighboring probabilities of the lattice that the inversion is done on, and its logarithm.
+/// Ratio of neighboring probabilities of the lattice that the inversion is done on, and its
+/// logarithm.
 const LATTICE: f64 = 0.9;
 const LN_LATTICE: f64 = -0.105_360_515_657_826_3;
 
@@ -20,14 +22,16 @@ const RAREST: f64 = 1.0 / 1_073_741_824.0;
 
 /// The number of successes in `n` trials of probability `p`, as a function of one uniform number.
 ///
-/// Between whole numbers of trials it keeps the mean: $\lceil n \rceil$ trials of $p n / \lceil n \rceil$. Below a mean of
-/// 4 the distribution function is inverted, for the two probabilities of a lattice (ratio 0.9) around p, and the two
-/// counts, of one uniform number, are weighted so that the mean is exactly $n p$: continuous in p. From 8 on it is the
-/// normal distribution with its first correction for skewness (Cornish & Fisher 1938), whose mean is $n p$, too; between
-/// the two they are blended. Probabilities above 1/2 count failures instead.
+/// Between whole numbers of trials it keeps the mean: $\lceil n \rceil$ trials of $p n / \lceil n
+/// \rceil$. Below a mean of 4 the distribution function is inverted, for the two probabilities of a
+/// lattice (ratio 0.9) around p, and the two counts, of one uniform number, are weighted so that
+/// the mean is exactly $n p$: continuous in p. From 8 on it is the normal distribution with its
+/// first correction for skewness (Cornish & Fisher 1938), whose mean is $n p$, too; between the two
+/// they are blended. Probabilities above 1/2 count failures instead.
 ///
-/// Source: Zirr & Kaplanyan 2016, section 4.3. Theirs lacks a factor $\sqrt 2$ in the normal branch (half the variance),
-/// and weights the lattice by logarithms (mean off by up to 1.6 %); it is [`ZirrKaplanyan`](super::ZirrKaplanyan).
+/// Source: Zirr & Kaplanyan 2016, section 4.3. Theirs lacks a factor $\sqrt 2$ in the normal branch
+/// (half the variance), and weights the lattice by logarithms (mean off by up to 1.6 %); it is
+/// [`ZirrKaplanyan`](super::ZirrKaplanyan).
 ///
 /// ```
 /// use lobe::material::glint::Binomial;
@@ -43,7 +47,8 @@ pub struct Binomial<R> {
     rarer: R,
     mean: R,
     failures: bool,
-    /// The lattice's probabilities around `rarer`: starts of the inversion, and the weight of the second.
+    /// The lattice's probabilities around `rarer`: starts of the inversion, and the weight of the
+    /// second.
     low: Inversion<R>,
     high: Inversion<R>,
     of_high: R,
@@ -83,10 +88,11 @@ impl<R: Real> Binomial<R> {
         binomial
     }
 
-    /// The number that more successes than have probability `tail`, in (0, 1): it falls as `tail` grows.
+    /// The number that more successes than have probability `tail`, in (0, 1): it falls as `tail`
+    /// grows.
     ///
-    /// Not whole where two distributions are blended. Of a mean below $2^{-30}$, which a word's tail does not resolve,
-    /// the mean.
+    /// Not whole where two distributions are blended. Of a mean below $2^{-30}$, which a word's
+    /// tail does not resolve, the mean.
     #[doc(alias = "lobe_binomial_draw")]
     #[inline]
     pub fn draw(&self, tail: R) -> R {
@@ -111,8 +117,8 @@ impl<R: Real> Binomial<R> {
         if self.failures { trials - count } else { count }
     }
 
-    /// Between the first counts that more than have a probability of at most `tail`, for both probabilities of the
-    /// lattice: one walk, for the lower one never has more.
+    /// Between the first counts that more than have a probability of at most `tail`, for both
+    /// probabilities of the lattice: one walk, for the lower one never has more.
     #[inline]
     fn inverted(&self, tail: R) -> R {
         let (mut low, mut high) = (self.low, self.high);
@@ -174,7 +180,8 @@ impl<R: Real> Inversion<R> {
         let factor = ratio * self.odds;
         let this = self.this * factor;
         let more = self.more - this;
-        // What follows falls by that factor and faster, so it is less than this: rounding may leave more of it.
+        // What follows falls by that factor and faster, so it is less than this: rounding may leave
+        // more of it.
         Self { this, more: if factor < R::HALF { more.min(this) } else { more }, ..self }
     }
 }

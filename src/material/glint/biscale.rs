@@ -9,15 +9,16 @@ use crate::slope::{Roughness, SlopeMoments};
 
 /// Beckmann details spread over Beckmann slopes: $A_g = A_m + A_l$, in every matrix entry.
 ///
-/// $A_m$ (`spread`) is how the details' own slopes are distributed, $A_l$ (`local`) how rough one detail is, and their
-/// sum, the roughness of the surface from afar (`global`), cannot be below either: no value of this type has a local
-/// roughness above the global one.
+/// $A_m$ (`spread`) is how the details' own slopes are distributed, $A_l$ (`local`) how rough one
+/// detail is, and their sum, the roughness of the surface from afar (`global`), cannot be below
+/// either: no value of this type has a local roughness above the global one.
 ///
 /// Source: Zirr & Kaplanyan 2016, Eq. 3 and 4, for any matrices.
 ///
 /// ```
 /// use lobe::material::glint::Biscale;
-/// // What artists have: the roughness from afar, and which share of it one detail has, along u and v.
+/// // What artists have: the roughness from afar, and which share of it one detail has, along u and
+/// // v.
 /// let snow = Biscale::from_fractions([0.6_f64, 0.6], [0.024, 0.024])?;
 /// assert!((snow.global().alphas().major - 0.6).abs() < 1e-15);
 /// assert!((snow.local().alphas().major - 0.0144).abs() < 1e-15);
@@ -36,14 +37,17 @@ impl<R: Real> Biscale<R> {
         Self { spread, local }
     }
 
-    /// From the global alphas along u and v, and the share of each that one detail has: $\alpha_l = f \alpha_g$.
+    /// From the global alphas along u and v, and the share of each that one detail has: $\alpha_l =
+    /// f \alpha_g$.
     ///
-    /// A share of 1 along one axis makes grooves along it: every detail has the whole range of slopes there.
+    /// A share of 1 along one axis makes grooves along it: every detail has the whole range of
+    /// slopes there.
     ///
     /// Source: Zirr & Kaplanyan 2016, sections 4.4 and 4.5.
     ///
     /// # Errors
-    /// [`Error::AlphaX`], [`Error::AlphaY`] outside $[0, 10^9]$; [`Error::Fraction`] outside (0, 1].
+    /// [`Error::AlphaX`], [`Error::AlphaY`] outside $[0, 10^9]$; [`Error::Fraction`] outside (0,
+    /// 1].
     #[doc(alias = "lobe_biscale_from_fractions")]
     pub fn from_fractions(
         alphas: impl Into<[R; 2]>,
@@ -76,7 +80,8 @@ impl<R: Real> Biscale<R> {
         self.spread + self.local
     }
 
-    /// Under a pixel's kernel, or a light's: it blurs every detail, $A_l + 2\Sigma_K$, and with them the whole.
+    /// Under a pixel's kernel, or a light's: it blurs every detail, $A_l + 2\Sigma_K$, and with
+    /// them the whole.
     ///
     /// ```
     /// use lobe::material::glint::Biscale;
@@ -93,8 +98,9 @@ impl<R: Real> Biscale<R> {
         Self { local: self.local.widened(kernel), ..*self }
     }
 
-    /// On a patch of a normal map: its covariance spreads the details, $A_m + 2\Sigma$, and leaves each as sharp as it
-    /// was. The patch's mean is the lobe's, not of a roughness ([`GlintNdf::over`](super::GlintNdf::over)).
+    /// On a patch of a normal map: its covariance spreads the details, $A_m + 2\Sigma$, and leaves
+    /// each as sharp as it was. The patch's mean is the lobe's, not of a roughness
+    /// ([`GlintNdf::over`](super::GlintNdf::over)).
     #[doc(alias = "lobe_biscale_over")]
     #[must_use]
     #[inline]

@@ -4,8 +4,8 @@
 
 use crate::scalar::Real;
 
-/// The hue wheel from a number in [0, 1]: red at 0, green at 1/3, blue at 2/3; every channel lies in [0, 2], and
-/// its mean over the wheel is 1.
+/// The hue wheel from a number in [0, 1]: red at 0, green at 1/3, blue at 2/3; every channel lies
+/// in [0, 2], and its mean over the wheel is 1.
 ///
 /// ```
 /// use lobe::material::glint::hue_wheel;
@@ -22,8 +22,8 @@ pub fn hue_wheel<R: Real>(hue: R) -> [R; 3] {
         .map(|channel| R::TWO * channel.max(zero).min(one))
 }
 
-/// What a cell's color leaves of its light: a mean of `count` details of independent colors differs from white by
-/// $1/\sqrt{count}$ of what one does.
+/// What a cell's color leaves of its light: a mean of `count` details of independent colors differs
+/// from white by $1/\sqrt{count}$ of what one does.
 ///
 /// Source: Zirr & Kaplanyan 2016, section 4.5.
 #[inline]

@@ -20,18 +20,19 @@ use crate::scalar::Real;
 /// # Ok::<(), lobe::Error>(())
 /// ```
 ///
-/// Coordinates: u and v are the axes of the tangent frame, x and y, and `density` counts in their units. Where the
-/// spread of slopes is smaller along one axis, details are longer along it, in the proportion of the two: a groove,
-/// without end, where there is none at all.
+/// Coordinates: u and v are the axes of the tangent frame, x and y, and `density` counts in their
+/// units. Where the spread of slopes is smaller along one axis, details are longer along it, in the
+/// proportion of the two: a groove, without end, where there is none at all.
 ///
-/// The paper's user parameters (section 4.5): both roughnesses are [`Biscale::from_fractions`], the density is `density`
-/// (sliders want its logarithm), the scale variation [`Glints::with_variation`], the overall intensity a Fresnel term
+/// The paper's user parameters (section 4.5): both roughnesses are [`Biscale::from_fractions`], the
+/// density is `density` (sliders want its logarithm), the scale variation
+/// [`Glints::with_variation`], the overall intensity a Fresnel term
 /// ([`GlintMaterial`](crate::shade::GlintMaterial)), the palette an argument of
 /// [`colored_sparkle`](super::GlintNdf::colored_sparkle).
 ///
 /// Source: Zirr & Kaplanyan 2016. What is printed and was published of it, mistakes included, is
-/// [`ZirrKaplanyan`](super::ZirrKaplanyan); this one conserves the mean: over cells and angular bins $P_{22}$ averages to that
-/// of the smooth lobe, for any number, size, light and pixel.
+/// [`ZirrKaplanyan`](super::ZirrKaplanyan); this one conserves the mean: over cells and angular
+/// bins $P_{22}$ averages to that of the smooth lobe, for any number, size, light and pixel.
 #[doc(alias = "LobeGlints")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Glints<R> {
@@ -55,8 +56,8 @@ pub(super) enum Groove {
 impl<R: Real> Glints<R> {
     /// From roughness and the number of details per unit area of the texture.
     ///
-    /// Of details that are stretched, per unit area of the compressed texture; of grooves the root of it counts, per
-    /// unit length across.
+    /// Of details that are stretched, per unit area of the compressed texture; of grooves the root
+    /// of it counts, per unit length across.
     ///
     /// # Errors
     /// [`Error::Density`] unless in $[10^{-18}, 10^{18}]$.
@@ -82,8 +83,9 @@ impl<R: Real> Glints<R> {
 
     /// With numbers of details that vary from cell to cell: their logarithms have this deviation.
     ///
-    /// Log-normal with mean 1, so cells differ and the density stays, but for cells that would have less than one detail:
-    /// they have one. Of cells with one in the mean that is more than half, and 1.4 times as many details at a deviation of
+    /// Log-normal with mean 1, so cells differ and the density stays, but for cells that would have
+    /// less than one detail: they have one. Of cells with one in the mean that is more than half,
+    /// and 1.4 times as many details at a deviation of
     /// 1. Light keeps its mean in any case. At 0, the default, all cells have as many.
     ///
     /// # Errors
@@ -128,7 +130,8 @@ impl<R: Real> Glints<R> {
 
     /// Edge of the smallest cell: the square that one detail has, rounded to a power of two.
     ///
-    /// What is closer shows details, not fewer of them: both grids end there, and a cell has one or two draws.
+    /// What is closer shows details, not fewer of them: both grids end there, and a cell has one or
+    /// two draws.
     ///
     /// ```
     /// use lobe::material::glint::{Biscale, Glints};

@@ -6,25 +6,28 @@ use super::level::{ANISOTROPY_LIMIT, CoveredCell, FARTHEST, Level};
 use crate::material::cells::{Cell, Patch, finest};
 use crate::scalar::Real;
 
-/// How much of the way between two levels a cell takes to come or go, and its share of an even blend meanwhile: without
-/// that, pixels whose cells have all gone would have none.
+/// How much of the way between two levels a cell takes to come or go, and its share of an even
+/// blend meanwhile: without that, pixels whose cells have all gone would have none.
 const RAMP: f64 = 0.5;
 const EVEN: f64 = 0.03;
 
 /// The two grids of a pixel.
 ///
-/// The cell size is the pixel's width ([`Patch::width`]), or for longer pixels a sixteenth ([`ANISOTROPY_LIMIT`]) of its
-/// longer extent ([`Patch::extents`]): the power of two below it, and the one above. On the way from one to the other, by
-/// the size's logarithm, cells come and go one by one, each at its own time ([`Cell::turn`]). Columns of cells stand along the pixel's longer extent, over as much of it as it is
-/// longer than wide; each has two cells, weighted by their distances from the pixel's middle line, and at the ends columns
-/// by their overlap: at most 104 cells. Continuous in coordinates and derivatives, but where a pixel at least 1.4 times as
-/// long as wide turns through a diagonal, from columns to rows; square ones have no columns to turn.
+/// The cell size is the pixel's width ([`Patch::width`]), or for longer pixels a sixteenth
+/// ([`ANISOTROPY_LIMIT`]) of its longer extent ([`Patch::extents`]): the power of two below it, and
+/// the one above. On the way from one to the other, by the size's logarithm, cells come and go one
+/// by one, each at its own time ([`Cell::turn`]). Columns of cells stand along the pixel's longer
+/// extent, over as much of it as it is longer than wide; each has two cells, weighted by their
+/// distances from the pixel's middle line, and at the ends columns by their overlap: at most 104
+/// cells. Continuous in coordinates and derivatives, but where a pixel at least 1.4 times as long
+/// as wide turns through a diagonal, from columns to rows; square ones have no columns to turn.
 ///
-/// Source: Zirr & Kaplanyan 2016, section 4.2. There the width is the chord along the other axis, $|d_x \times d_y| / \max
-/// E$, which is 1.4 times as large for a square that stands on its corner; all cells of both levels are blended by
-/// one weight, and where it leaves 0 dim, large glints appear everywhere at once; columns stand over all of the longer extent but a cell, so that squares jump where rounding turns them
-/// from columns to rows; and they lie along the longer of the two medians, which jumps where the other becomes longer, and
-/// beyond the pixel's ends.
+/// Source: Zirr & Kaplanyan 2016, section 4.2. There the width is the chord along the other axis,
+/// $|d_x \times d_y| / \max E$, which is 1.4 times as large for a square that stands on its corner;
+/// all cells of both levels are blended by one weight, and where it leaves 0 dim, large glints
+/// appear everywhere at once; columns stand over all of the longer extent but a cell, so that
+/// squares jump where rounding turns them from columns to rows; and they lie along the longer of
+/// the two medians, which jumps where the other becomes longer, and beyond the pixel's ends.
 ///
 /// ```
 /// use lobe::material::cells::Patch;
@@ -53,22 +56,24 @@ pub struct Grid<R> {
 impl<R: Real> Grid<R> {
     /// The grids of a pixel, with cells no smaller than `least`.
     ///
-    /// Nor smaller than $2^{-20}$ of the distance of `uv` from the tile's corner, for the sake of f32: of plain coordinates, from
-    /// the origin ([`Patch::new`]). Coordinates of large surfaces belong into [`Patch::in_tile`]. NaN counts as 0 (of
-    /// coordinates, as far away).
+    /// Nor smaller than $2^{-20}$ of the distance of `uv` from the tile's corner, for the sake of
+    /// f32: of plain coordinates, from the origin ([`Patch::new`]). Coordinates of large surfaces
+    /// belong into [`Patch::in_tile`]. NaN counts as 0 (of coordinates, as far away).
     #[doc(alias = "lobe_grid_new")]
     #[inline]
     pub fn new(patch: &Patch<R>, least: R) -> Self {
         Self::stretched(patch, [R::ONE; 2], least)
     }
 
-    /// The grids of a pixel whose coordinates are compressed by factors in [0, 1], with the cell size that it has without.
+    /// The grids of a pixel whose coordinates are compressed by factors in [0, 1], with the cell
+    /// size that it has without.
     #[doc(alias = "lobe_grid_stretched")]
     #[inline]
     pub fn stretched(patch: &Patch<R>, factors: [R; 2], least: R) -> Self {
         let [a, b] = patch.extents();
         let anisotropic = a.max(b) / R::lit(f64::from(ANISOTROPY_LIMIT));
-        // The fraction of a tile times a factor lies in [-2, 2], and is rounded as numbers of that size are.
+        // The fraction of a tile times a factor lies in [-2, 2], and is rounded as numbers of that
+        // size are.
         let is_rounded = R::SINGLE && patch.tile != [0; 2] && factors != [R::ONE; 2];
         let distance = patch.distance().max(if is_rounded { R::TWO } else { R::ZERO });
         // `max` drops the NaN of a caller's.

@@ -10,18 +10,20 @@
 use crate::material::cells::{Patch, corner, place};
 use crate::scalar::Real;
 
-/// Longest pixel against its width, in cells: longer ones get coarser cells. Zirr & Kaplanyan 2016, section 4.2.
+/// Longest pixel against its width, in cells: longer ones get coarser cells. Zirr & Kaplanyan 2016,
+/// section 4.2.
 pub const ANISOTROPY_LIMIT: u32 = 16;
 
-/// Columns of cells that one level may need: 32 cells of a pixel between two sizes, one at each end.
+/// Columns of cells that one level may need: 32 cells of a pixel between two sizes, one at each
+/// end.
 pub(super) const COLUMNS: u32 = 2 * ANISOTROPY_LIMIT + 2;
 
-/// Cells from the tile's corner, 2^20, beyond which f32 has no fraction of a cell left that is worth a weight.
+/// Cells from the tile's corner, 2^20, beyond which f32 has no fraction of a cell left that is
+/// worth a weight.
 pub(super) const FARTHEST: i32 = 20;
 
 /// A cell that a pixel covers.
 #[doc(alias = "LobeCoveredCell")]
-#[doc(alias = "LobeGrooveCovered")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoveredCell<R> {
     /// The cell's center, in cells from the origin of the coordinates.
@@ -69,8 +71,8 @@ impl<R: Real> Level<R> {
         let midpoint = if along_v { [y, x] } else { [x, y] };
         let of = |d: [R; 2]| if along_v { [d[1], d[0]] } else { d };
         let (right, up) = (of(patch.right), of(patch.up));
-        // The line through the parallelogram by least squares, between the two medians. A pixel too small for squares
-        // has no use for it.
+        // The line through the parallelogram by least squares, between the two medians. A pixel too
+        // small for squares has no use for it.
         let [p, q] = [right[0], up[0]].map(|x| x * inverse);
         let across = [right[1], up[1]].map(|x| x * inverse);
         let skew = (p * across[0] + q * across[1]) / (p * p + q * q).max(R::MIN_POSITIVE);

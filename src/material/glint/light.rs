@@ -5,14 +5,15 @@
 use crate::scalar::Real;
 use crate::slope::direction::{dot, half_vector};
 
-/// What a light that appears with this radius, in radians, adds to the alpha^2 of a detail: $\gamma^2/(4\, (w_i \cdot h)\,
-/// h_z^3)$.
+/// What a light that appears with this radius, in radians, adds to the alpha^2 of a detail:
+/// $\gamma^2/(4\, (w_i \cdot h)\, h_z^3)$.
 ///
-/// A disk of directions of radius $\gamma$ has half vectors over a solid angle of $\pi\gamma^2/(4\, w_i \cdot h)$, which
-/// on the slope plane is $1/h_z^3$ times as large: an ellipse with the area $\pi$ times this. At most $10^9$.
+/// A disk of directions of radius $\gamma$ has half vectors over a solid angle of $\pi\gamma^2/(4\,
+/// w_i \cdot h)$, which on the slope plane is $1/h_z^3$ times as large: an ellipse with the area
+/// $\pi$ times this. At most $10^9$.
 ///
-/// Source: Zirr & Kaplanyan 2016, section 4.3, have a "sum of microroughness and light source cone angle"; their code
-/// adds to the probability instead, which brightens every half vector.
+/// Source: Zirr & Kaplanyan 2016, section 4.3, have a "sum of microroughness and light source cone
+/// angle"; their code adds to the probability instead, which brightens every half vector.
 ///
 /// ```
 /// use lobe::material::glint::light_blur;

@@ -1,12 +1,14 @@
-//! Glints: discrete details that flicker in and out of a highlight, stable at every scale (feature `glint`).
+//! Glints: discrete details that flicker in and out of a highlight, stable at every scale (feature
+//! `glint`).
 //!
-//! A surface has details of roughness $A_l$, whose own slopes spread with $A_m$ ([`Biscale`]); $A_g = A_m + A_l$ is what it
-//! looks like from afar. A pixel covers cells of two nested grids ([`Grid`]), each with its own random numbers
-//! ([`Cell`](super::cells::Cell)), of whose details a binomial number reflects ([`Binomial`]). What comes out is a [`Lobe`](crate::Lobe)
-//! for masking, and how much brighter than it the pixel is ([`GlintNdf`]).
+//! A surface has details of roughness $A_l$, whose own slopes spread with $A_m$ ([`Biscale`]); $A_g
+//! = A_m + A_l$ is what it looks like from afar. A pixel covers cells of two nested grids
+//! ([`Grid`]), each with its own random numbers ([`Cell`](super::cells::Cell)), of whose details a
+//! binomial number reflects ([`Binomial`]). What comes out is a [`Lobe`](crate::Lobe) for masking,
+//! and how much brighter than it the pixel is ([`GlintNdf`]).
 //!
-//! Source: Zirr & Kaplanyan 2016, "Real-time Rendering of Procedural Multiscale Materials". [`Glints`] conserves the mean;
-//! [`ZirrKaplanyan`] is theirs as it was.
+//! Source: Zirr & Kaplanyan 2016, "Real-time Rendering of Procedural Multiscale Materials".
+//! [`Glints`] conserves the mean; [`ZirrKaplanyan`] is theirs as it was.
 
 mod binomial;
 mod biscale;

@@ -13,22 +13,25 @@ use crate::slope::{Anisotropic, Lobe, NonCentered, Roughness, SlopeMoments};
 
 /// A pixel of a glittering material, for any number of lights.
 ///
-/// Its density of slopes is that of [`GlintNdf::smooth_lobe`], for masking and for everything else that asks a lobe, times
-/// [`GlintNdf::sparkle`], whose mean is 1.
+/// Its density of slopes is that of [`GlintNdf::smooth_lobe`], for masking and for everything else
+/// that asks a lobe, times [`GlintNdf::sparkle`], whose mean is 1.
 ///
-/// With details of roughness $A_l$, blurred by a light's extent, and the lobe's $A_g$: a detail reflects with
-/// probability $P = P_g(s)/P_l(0) = \min(1, \sqrt{\det A_l/\det A_g})\, e^{-q}$ (Eq. 7, on the slope plane; a wide light may blur
-/// details beyond the whole); of a cell's n details $r \sim B(n, P)$ do, drawn from the cell and the half vector's angular
-/// bin, and the pixel's density is $P_g(s) \sum_j w_j \frac{r_j}{n_j P}$. As a cell has one detail at least, it is never
-/// above twice the larger of $P_l(0)$ and $P_g(0)$, nor above that where numbers of details are whole.
+/// With details of roughness $A_l$, blurred by a light's extent, and the lobe's $A_g$: a detail
+/// reflects with probability $P = P_g(s)/P_l(0) = \min(1, \sqrt{\det A_l/\det A_g})\, e^{-q}$ (Eq.
+/// 7, on the slope plane; a wide light may blur details beyond the whole); of a cell's n details $r
+/// \sim B(n, P)$ do, drawn from the cell and the half vector's angular bin, and the pixel's density
+/// is $P_g(s) \sum_j w_j \frac{r_j}{n_j P}$. As a cell has one detail at least, it is never above
+/// twice the larger of $P_l(0)$ and $P_g(0)$, nor above that where numbers of details are whole.
 ///
-/// An angular bin is a cell of $L^{-1} q$, with $L L^T = A_l$ and the paraboloid $q = 2 h_{xy}/(1 + h_z)$, of side
-/// $\sqrt\pi$: near the pole the area of one detail's lobe, for which the integral of the density varies by 1/n. Steeper
-/// bins have more of the slope plane, and rough surfaces vary more: 1.3/n at an alpha of 0.6, 1.8/n at 1. Of grooves (section 3,
-/// Eq. 6) only the slope across them counts, $P = \sqrt{a_l/a_g}\, e^{-s^2/a_g}$ with the entries of that axis, and has bins;
+/// An angular bin is a cell of $L^{-1} q$, with $L L^T = A_l$ and the paraboloid $q = 2 h_{xy}/(1 +
+/// h_z)$, of side $\sqrt\pi$: near the pole the area of one detail's lobe, for which the integral
+/// of the density varies by 1/n. Steeper bins have more of the slope plane, and rough surfaces vary
+/// more: 1.3/n at an alpha of 0.6, 1.8/n at 1. Of grooves (section 3, Eq. 6) only the slope across
+/// them counts, $P = \sqrt{a_l/a_g}\, e^{-s^2/a_g}$ with the entries of that axis, and has bins;
 /// along them the density is the smooth lobe's.
 ///
-/// Source: Zirr & Kaplanyan 2016, section 4; departures are [`ZirrKaplanyan`](super::ZirrKaplanyan)'s list.
+/// Source: Zirr & Kaplanyan 2016, section 4; departures are
+/// [`ZirrKaplanyan`](super::ZirrKaplanyan)'s list.
 #[doc(alias = "LobeGlintNdf")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GlintNdf<R: Real> {
@@ -62,8 +65,8 @@ impl<R: Real> GlintNdf<R> {
 
     /// Over a patch of a normal map: its mean tilts the lobe, its covariance spreads the details.
     ///
-    /// Cells and the length of details stay the material's. One map over another adds both means and both covariances, as
-    /// [`SlopeMoments::add`](crate::SlopeMoments::add) does.
+    /// Cells and the length of details stay the material's. One map over another adds both means
+    /// and both covariances, as [`SlopeMoments::add`](crate::SlopeMoments::add) does.
     ///
     /// ```
     /// use lobe::material::cells::Patch;
@@ -85,7 +88,8 @@ impl<R: Real> GlintNdf<R> {
         Self { mean, biscale, global: biscale.global(), ..*self }
     }
 
-    /// Under the pixel's kernel, the half vector's spread over the pixel: every detail is blurred by it.
+    /// Under the pixel's kernel, the half vector's spread over the pixel: every detail is blurred
+    /// by it.
     #[doc(alias = "lobe_glint_ndf_widened")]
     #[must_use]
     #[inline]

@@ -35,8 +35,8 @@ enum Mixture<R> {
 }
 
 impl<R: Real> GlintNdf<R> {
-    /// Probability that a detail reflects at the unit normal `h`, under a light of this `blur`; in [0, 1], 0 at the
-    /// horizon and below.
+    /// Probability that a detail reflects at the unit normal `h`, under a light of this `blur`; in
+    /// [0, 1], 0 at the horizon and below.
     #[doc(alias = "lobe_glint_ndf_probability")]
     #[inline]
     pub fn probability(&self, h: impl Into<[R; 3]>, blur: R) -> R {
@@ -47,10 +47,12 @@ impl<R: Real> GlintNdf<R> {
         self.reflection(h, self.blurred(blur)).probability
     }
 
-    /// How much brighter than the smooth lobe the pixel is at the unit half vector `h`: not negative, 1 on average.
+    /// How much brighter than the smooth lobe the pixel is at the unit half vector `h`: not
+    /// negative, 1 on average.
     ///
-    /// `blur` is what a light's extent adds to $\alpha^2$ ([`light_blur`]), 0 of a point. Where a detail reflects
-    /// with a probability below $10^{-30}$, and where details are mirrors under a point, 1. 0 below the horizon.
+    /// `blur` is what a light's extent adds to $\alpha^2$ ([`light_blur`]), 0 of a point. Where a
+    /// detail reflects with a probability below $10^{-30}$, and where details are mirrors under a
+    /// point, 1. 0 below the horizon.
     #[doc(alias = "lobe_glint_ndf_sparkle")]
     pub fn sparkle(&self, h: impl Into<[R; 3]>, blur: R) -> R {
         let mut sum = R::ZERO;
@@ -62,8 +64,8 @@ impl<R: Real> GlintNdf<R> {
 
     /// The same in colors: each cell has one of a palette, and white where its details are many.
     ///
-    /// `palette` gives a color for a number in [0, 1]; with a mean of 1 in each channel, as [`hue_wheel`](super::hue_wheel)
-    /// has it, the sparkle's mean stays 1.
+    /// `palette` gives a color for a number in [0, 1]; with a mean of 1 in each channel, as
+    /// [`hue_wheel`](super::hue_wheel) has it, the sparkle's mean stays 1.
     ///
     /// Source: Zirr & Kaplanyan 2016, section 4.5.
     ///
@@ -96,7 +98,8 @@ impl<R: Real> GlintNdf<R> {
         }
     }
 
-    /// Slope density at the slope of the unit normal `h`: that of the smooth lobe times the sparkle.
+    /// Slope density at the slope of the unit normal `h`: that of the smooth lobe times the
+    /// sparkle.
     #[doc(alias = "lobe_glint_ndf_slope_pdf")]
     pub fn slope_pdf(&self, h: impl Into<[R; 3]>, blur: R) -> R {
         let h = h.into();
@@ -107,8 +110,8 @@ impl<R: Real> GlintNdf<R> {
         (smooth * self.sparkle(h, blur)).min(R::MAX)
     }
 
-    /// The BRDF without Fresnel, as [`Ndf::brdf`] of the smooth lobe, times the sparkle, under a light that appears
-    /// with this radius, in radians (0: a point).
+    /// The BRDF without Fresnel, as [`Ndf::brdf`] of the smooth lobe, times the sparkle, under a
+    /// light that appears with this radius, in radians (0: a point).
     #[doc(alias = "lobe_glint_ndf_brdf")]
     pub fn brdf(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>, radius: R) -> R {
         let (wo, wi) = (wo.into(), wi.into());
@@ -154,7 +157,8 @@ impl<R: Real> GlintNdf<R> {
         }
     }
 
-    /// The same of grooves: along them every detail has all slopes, so only the slope across decides.
+    /// The same of grooves: along them every detail has all slopes, so only the slope across
+    /// decides.
     #[inline]
     fn across(&self, axis: usize, h: [R; 3], local: R, global: R) -> Reflection<R> {
         let slope = h[axis] / h[2];
@@ -168,7 +172,8 @@ impl<R: Real> GlintNdf<R> {
         Reflection { probability, bin }
     }
 
-    /// Calls `add` with every cell, its part of the sparkle and the count of its reflecting details.
+    /// Calls `add` with every cell, its part of the sparkle and the count of its reflecting
+    /// details.
     #[inline]
     fn mixed(&self, h: [R; 3], blur: R, mut add: impl FnMut(Cell, R, R)) -> Mixture<R> {
         if !(h[2] > R::ZERO) {
@@ -191,7 +196,8 @@ impl<R: Real> GlintNdf<R> {
         Mixture::Cells(shares.max(R::MIN_POSITIVE))
     }
 
-    /// A cell's number of details, at least one, and their draw: of the level's, unless numbers vary.
+    /// A cell's number of details, at least one, and their draw: of the level's, unless numbers
+    /// vary.
     #[inline]
     fn varied(&self, cell: Cell, n: R, draw: Binomial<R>, probability: R) -> (R, Binomial<R>) {
         let (one, most) = (R::ONE, R::LARGEST * R::LARGEST);

@@ -1,4 +1,5 @@
-//! Zirr & Kaplanyan's glints as they were published: the paper with what only its authors' code says.
+//! Zirr & Kaplanyan's glints as they were published: the paper with what only its authors' code
+//! says.
 //!
 //! Layer 4. To reproduce figures and to compare; [`Glints`](super::Glints) is what to shade with.
 #![allow(clippy::cast_sign_loss, reason = "words of a hash have no sign")]
@@ -21,26 +22,34 @@ const CELLS: u32 = 60;
 /// Patterns of random numbers along one axis.
 const PATTERNS: f64 = 533.0;
 
-/// Means above this are drawn from a normal distribution; below, so many steps of the inversion are taken.
+/// Means above this are drawn from a normal distribution; below, so many steps of the inversion are
+/// taken.
 const NORMAL_FROM: f64 = 5.0;
 const STEPS: u32 = 17;
 
 /// The model of the 2016 paper, with the choices of its authors' shader.
 ///
-/// It differs from [`Glints`](super::Glints) in what follows; tests/laws/zirr_kaplanyan.rs shows each but the patterns.
+/// It differs from [`Glints`](super::Glints) in what follows; tests/laws/zirr_kaplanyan.rs shows
+/// each but the patterns.
 ///
-/// - $1/h_z^4$ stands inside the probability, which is cut at 1: the mean is too low at grazing half vectors.
-/// - A light of radius $\gamma$ adds $\gamma^2/(4 (w_i \cdot h) h_z)$ to the probability at every half vector: a haze.
-/// - The normal branch of the binomial draw has half its variance (no $\sqrt 2$), and it jumps where it begins.
-/// - Sizes are drawn with one number of details and divided by another: the mean grows, 3.6 times at a variation of 1.
-/// - Indices are shifted right along each axis by itself: distant cells repeat, and coordinates start at +100 to hide it.
+/// - $1/h_z^4$ stands inside the probability, which is cut at 1: the mean is too low at grazing
+///   half vectors.
+/// - A light of radius $\gamma$ adds $\gamma^2/(4 (w_i \cdot h) h_z)$ to the probability at every
+///   half vector: a haze.
+/// - The normal branch of the binomial draw has half its variance (no $\sqrt 2$), and it jumps
+///   where it begins.
+/// - Sizes are drawn with one number of details and divided by another: the mean grows, 3.6 times
+///   at a variation of 1.
+/// - Indices are shifted right along each axis by itself: distant cells repeat, and coordinates
+///   start at +100 to hide it.
 /// - Random numbers know the angular bin and one of 533 x 533 offsets, not the cell.
-/// - Columns of cells lie along the longer of the pixel's medians, beyond its ends, too: it jumps where they change.
+/// - Columns of cells lie along the longer of the pixel's medians, beyond its ends, too: it jumps
+///   where they change.
 /// - Loops end after 18 columns a level and 60 cells: long pixels are cut short.
 /// - A cell of less than one detail is brighter than a detail.
 ///
-/// What is not of the model is not reproduced: its hash by sines, whose bits depend on the GPU, is ours; the shader's
-/// masking (Smith's of GGX, and a second division by 4) is left to the caller.
+/// What is not of the model is not reproduced: its hash by sines, whose bits depend on the GPU, is
+/// ours; the shader's masking (Smith's of GGX, and a second division by 4) is left to the caller.
 ///
 /// Source: Zirr & Kaplanyan 2016 and the shader its authors published with it.
 ///
@@ -57,14 +66,17 @@ pub struct ZirrKaplanyan<R> {
     biscale: Biscale<R>,
     /// Details per unit area of the texture.
     pub density: R,
-    /// Deviation of the number of details in a cell, against it; 0 by default, 100 in the shader's snow.
+    /// Deviation of the number of details in a cell, against it; 0 by default, 100 in the shader's
+    /// snow.
     pub variation: R,
-    /// Most of what a cell's share of reflecting details may be, against the probability; 5e4 in the shader.
+    /// Most of what a cell's share of reflecting details may be, against the probability; 5e4 in
+    /// the shader.
     pub dynamic_range: R,
 }
 
 impl<R: Real> ZirrKaplanyan<R> {
-    /// From roughness along the axes and the number of details per unit area, with a dynamic range of 5e4.
+    /// From roughness along the axes and the number of details per unit area, with a dynamic range
+    /// of 5e4.
     ///
     /// # Errors
     /// [`Error::Density`] unless in $[10^{-18}, 10^{18}]$.
@@ -76,7 +88,8 @@ impl<R: Real> ZirrKaplanyan<R> {
         Ok(Self { biscale, density, variation: R::ZERO, dynamic_range: R::lit(5e4) })
     }
 
-    /// Density of normals at the unit half vector `h`, under a light of radius `gamma` with `cosine` $= w_i \cdot h$.
+    /// Density of normals at the unit half vector `h`, under a light of radius `gamma` with
+    /// `cosine` $= w_i \cdot h$.
     pub fn d(&self, patch: &Patch<R>, h: impl Into<[R; 3]>, cosine: R, gamma: R) -> R {
         let h = h.into();
         if !(h[2] > R::ZERO) {
@@ -97,8 +110,8 @@ impl<R: Real> ZirrKaplanyan<R> {
         (mean * peak).min(R::MAX)
     }
 
-    /// Calls `f` with every cell that the loops reach. Shares of a pixel that they cut short do not sum to 1: of each
-    /// level, they count against each other.
+    /// Calls `f` with every cell that the loops reach. Shares of a pixel that they cut short do not
+    /// sum to 1: of each level, they count against each other.
     pub fn visit(&self, patch: &Patch<R>, mut f: impl FnMut(CoveredCell<R>)) {
         let mut left = CELLS;
         let (grid, median) = self.grid(patch);
@@ -121,7 +134,8 @@ impl<R: Real> ZirrKaplanyan<R> {
         }
     }
 
-    /// Probability that a detail reflects: D over that of one detail along its normal, at most 1, and the light's share.
+    /// Probability that a detail reflects: D over that of one detail along its normal, at most 1,
+    /// and the light's share.
     pub fn probability(&self, h: impl Into<[R; 3]>, cosine: R, gamma: R) -> R {
         let (h, zero, one) = (h.into(), R::ZERO, R::ONE);
         let local = self.biscale.local().matrix().root_det();
@@ -139,8 +153,8 @@ impl<R: Real> ZirrKaplanyan<R> {
         [(xx / yy).sqrt().min(R::ONE), (yy / xx).sqrt().min(R::ONE)]
     }
 
-    /// The two grids, by the width of the pixel as it is and its length with the coordinates compressed; and its longer
-    /// median.
+    /// The two grids, by the width of the pixel as it is and its length with the coordinates
+    /// compressed; and its longer median.
     fn grid(&self, patch: &Patch<R>) -> (Grid<R>, [R; 2]) {
         let factors = self.stretch();
         let moved = Patch { uv: patch.uv.map(|x| x + R::lit(100.0)), ..*patch };
@@ -200,10 +214,12 @@ fn erf_inverse<R: Real>(u: R) -> R {
     normal_quantile(R::ONE - u) / R::TWO.sqrt()
 }
 
-/// The binomial draw of the shader: the number of `n` details of probability `p`, grows with `u` in [0, 1).
+/// The binomial draw of the shader: the number of `n` details of probability `p`, grows with `u` in
+/// [0, 1).
 ///
-/// Source: Zirr & Kaplanyan 2016, section 4.3, and their shader: means above 5 are drawn from a normal distribution
-/// of half the variance; below, the lattice $0.9^k$ is inverted by at most 17 steps and an exponential tail.
+/// Source: Zirr & Kaplanyan 2016, section 4.3, and their shader: means above 5 are drawn from a
+/// normal distribution of half the variance; below, the lattice $0.9^k$ is inverted by at most 17
+/// steps and an exponential tail.
 ///
 /// ```
 /// use lobe::material::glint::{Binomial, zirr_kaplanyan_count};

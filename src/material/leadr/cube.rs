@@ -10,10 +10,11 @@ use core::marker::PhantomData;
 
 /// Six square faces with their mip chain; a [`Light`].
 ///
-/// Over any storage of texels: a `Vec`, an array, a borrowed slice. Faces in the order of GPUs, +x, -x, +y, -y, +z, -z,
-/// each by rows, oriented as theirs. Filtering is trilinear and takes texels beyond an edge from the neighboring face; at the
-/// eight corners, where three faces meet, what takes the place of a fourth differs from face to face.
-/// Directions are the map's own: to turn a tangent frame, wrap the map in a function.
+/// Over any storage of texels: a `Vec`, an array, a borrowed slice. Faces in the order of GPUs, +x,
+/// -x, +y, -y, +z, -z, each by rows, oriented as theirs. Filtering is trilinear and takes texels
+/// beyond an edge from the neighboring face; at the eight corners, where three faces meet, what
+/// takes the place of a fourth differs from face to face. Directions are the map's own: to turn a
+/// tangent frame, wrap the map in a function.
 ///
 /// ```
 /// use lobe::material::leadr::{CubeMap, Light};
@@ -38,8 +39,8 @@ impl<R: Real, T: AsRef<[[R; 3]]>> CubeMap<R, T> {
         face.saturating_mul(face).saturating_mul(8).saturating_sub(2)
     }
 
-    /// From `face` texels a side, a power of two, and [`CubeMap::texels`] texels: the first 6 `face`^2 are the map, the
-    /// rest is room for its levels, which are built by boxes.
+    /// From `face` texels a side, a power of two, and [`CubeMap::texels`] texels: the first 6
+    /// `face`^2 are the map, the rest is room for its levels, which are built by boxes.
     ///
     /// # Errors
     /// [`Error::MapSize`].
@@ -76,7 +77,8 @@ impl<R: Real, T: AsRef<[[R; 3]]>> CubeMap<R, T> {
         self.face
     }
 
-    /// Radiance from `direction` (any length) at a level of detail, which is kept between the first level and the last.
+    /// Radiance from `direction` (any length) at a level of detail, which is kept between the first
+    /// level and the last.
     pub fn lookup(&self, direction: impl Into<[R; 3]>, lod: R) -> [R; 3] {
         let direction = direction.into();
         let last = self.last;
@@ -112,8 +114,8 @@ impl<R: Real, T: AsRef<[[R; 3]]>> CubeMap<R, T> {
         if inside(column) && inside(row) {
             return self.at(level, face, column, row);
         }
-        // The direction of the texel's center, on the plane of this face; at the cube's corners, where three faces meet,
-        // there is none, and the nearest is as good as any.
+        // The direction of the texel's center, on the plane of this face; at the cube's corners,
+        // where three faces meet, there is none, and the nearest is as good as any.
         let center = |k: i64| R::lit((2 * k + 1) as f64 / side as f64 - 1.0);
         let (face, [u, v]) = project(unproject(face, [center(column), center(row)]));
         let place = |u: R| (R::HALF * (u + R::ONE)).to_f64() * side as f64;

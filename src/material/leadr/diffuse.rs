@@ -8,12 +8,13 @@ use super::surface::Leadr;
 use crate::scalar::Real;
 
 impl<R: Real> Leadr<R> {
-    /// Radiance towards `wo` of Lambertian facets of albedo 1, from the irradiance on a facet of a normal.
+    /// Radiance towards `wo` of Lambertian facets of albedo 1, from the irradiance on a facet of a
+    /// normal.
     ///
-    /// $\frac{1}{\pi \sigma_o} \sum_{j,k} W_j W_k \frac{\langle m, w_o\rangle}{m_z} E(m)$. `irradiance` takes a unit
-    /// normal: [`Irradiance::at`](super::Irradiance::at) for environments, or for one light of radiance L and solid angle
-    /// omega exactly $L \omega \max(0, m \cdot w_i)$. Shadows enter as a factor of each light,
-    /// [`Leadr::light_reaching`].
+    /// $\frac{1}{\pi \sigma_o} \sum_{j,k} W_j W_k \frac{\langle m, w_o\rangle}{m_z} E(m)$.
+    /// `irradiance` takes a unit normal: [`Irradiance::at`](super::Irradiance::at) for
+    /// environments, or for one light of radiance L and solid angle omega exactly $L \omega \max(0,
+    /// m \cdot w_i)$. Shadows enter as a factor of each light, [`Leadr::light_reaching`].
     ///
     /// 5 x 5 facets have all of a matt surface's features (Dupuy et al. 2013, section 2.3).
     ///

@@ -10,7 +10,8 @@ use crate::scalar::Real;
 /// Light from everywhere: a function of direction and of the solid angle to average over, or a
 /// [`CubeMap`](super::CubeMap).
 ///
-/// Functions `Fn([R; 3], R) -> [R; 3]` are lights. Directions are unit vectors of the surface's tangent frame.
+/// Functions `Fn([R; 3], R) -> [R; 3]` are lights. Directions are unit vectors of the surface's
+/// tangent frame.
 pub trait Light<R> {
     /// Radiance from the direction `wi`, averaged over `solid_angle` around it, in three channels.
     fn radiance(&self, wi: [R; 3], solid_angle: R) -> [R; 3];
@@ -26,32 +27,34 @@ impl<R: Real, F: Fn([R; 3], R) -> [R; 3]> Light<R> for F {
 /// What a sum over facets is divided by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Normalization {
-    /// The projected area $\sigma(w_o)$ in closed form: without bias as the grid grows, and no sum to keep. A constant
-    /// light comes out as S/sigma, off by what the grid misses of the area ([`Quadrature::cells`](super::Quadrature::cells) has the
-    /// numbers).
+    /// The projected area $\sigma(w_o)$ in closed form: without bias as the grid grows, and no sum
+    /// to keep. A constant light comes out as S/sigma, off by what the grid misses of the area
+    /// ([`Quadrature::cells`](super::Quadrature::cells) has the numbers).
     ProjectedArea,
-    /// S, the sum of the facets' areas: the paper's. A constant light comes out as itself for any grid, also where no
-    /// facet of the grid is seen (by [`Leadr::artificial_facet`]; of a mirror exactly edge-on nothing is): the choice for
-    /// few nodes and for silhouettes.
+    /// S, the sum of the facets' areas: the paper's. A constant light comes out as itself for any
+    /// grid, also where no facet of the grid is seen (by [`Leadr::artificial_facet`]; of a mirror
+    /// exactly edge-on nothing is): the choice for few nodes and for silhouettes.
     Sum,
 }
 
 impl<R: Real> Leadr<R> {
-    /// Radiance towards `wo` under light from everywhere, mirrored by N x N facets, in three channels.
+    /// Radiance towards `wo` under light from everywhere, mirrored by N x N facets, in three
+    /// channels.
     ///
-    /// $\frac{1}{\sigma_o} \sum_{j,k} W_j W_k \frac{\langle m, w_o\rangle}{m_z} F(\langle m, w_o\rangle)\,
-    /// \frac{G_2}{G_1}\, L(w_i)$ with $w_i$ the mirror direction about m; $G_2/G_1 = 1$ with masking alone. L is averaged
-    /// over the solid angle of each facet. `wo`: unit. Where no facet is seen: the artificial one, by
-    /// [`Normalization::Sum`], or black.
+    /// $\frac{1}{\sigma_o} \sum_{j,k} W_j W_k \frac{\langle m, w_o\rangle}{m_z} F(\langle m,
+    /// w_o\rangle)\, \frac{G_2}{G_1}\, L(w_i)$ with $w_i$ the mirror direction about m; $G_2/G_1 =
+    /// 1$ with masking alone. L is averaged over the solid angle of each facet. `wo`: unit. Where
+    /// no facet is seen: the artificial one, by [`Normalization::Sum`], or black.
     ///
     /// Source: Dupuy et al. 2013, Algorithm 1 and its simplified form.
     ///
     /// ```
     /// use lobe::material::Fresnel;
-    /// use lobe::material::leadr::{Quadrature, Leadr, Normalization, Shadowing};
+    /// use lobe::material::leadr::{Leadr, Normalization, Quadrature, Shadowing};
     /// use lobe::{Lobe, Roughness};
     /// let surface = Leadr::new(&Lobe::centered(Roughness::from_sigma_rho(0.2_f32, 0.1, 0.0)?));
-    /// let sky = |wi: [f32; 3], _: f32| if wi[2] > 0.0 { [0.3, 0.5, 1.0] } else { [0.2, 0.1, 0.0] };
+    /// let sky =
+    ///     |wi: [f32; 3], _: f32| if wi[2] > 0.0 { [0.3, 0.5, 1.0] } else { [0.2, 0.1, 0.0] };
     /// let [red, _, blue] = surface.environment(
     ///     [0.6, 0.0, 0.8],
     ///     &Quadrature::<f32, 5>::dupuy(),
@@ -113,7 +116,8 @@ impl<R: Real> Leadr<R> {
                 total
             }
         };
-        // Far behind a silhouette the area is the smallest number: its reciprocal would be infinite.
+        // Far behind a silhouette the area is the smallest number: its reciprocal would be
+        // infinite.
         sum.map(|x| if divisor > R::ZERO { (x / divisor).min(R::MAX) } else { R::ZERO })
     }
 }

@@ -1,7 +1,8 @@
 //! Irradiance of any environment in nine numbers a channel.
 //!
-//! Layer 4. A cosine over the hemisphere is smooth: spherical harmonics up to the second order hold it to 1 % of its
-//! energy. A single light is what they show worst: off by up to 9.4 % of its peak, where a facet is edge-on to it.
+//! Layer 4. A cosine over the hemisphere is smooth: spherical harmonics up to the second order hold
+//! it to 1 % of its energy. A single light is what they show worst: off by up to 9.4 % of its peak,
+//! where a facet is edge-on to it.
 
 use super::environment::Light;
 use crate::scalar::Real;
@@ -9,7 +10,8 @@ use crate::slope::direction::normalize;
 
 /// Second-order spherical harmonics of the light around a point, and the irradiance on facets.
 ///
-/// Sources: Ramamoorthi & Hanrahan 2001, Eq. 3, 7 to 9; Dupuy et al. 2013, Algorithm 2 (whose L00 adds itself twice).
+/// Sources: Ramamoorthi & Hanrahan 2001, Eq. 3, 7 to 9; Dupuy et al. 2013, Algorithm 2 (whose L00
+/// adds itself twice).
 ///
 /// ```
 /// use lobe::material::leadr::Irradiance;
@@ -23,7 +25,8 @@ pub struct Irradiance<R> {
     coefficients: [[R; 3]; 9],
 }
 
-/// The harmonics at a unit direction: 1; y, z, x; xy, yz, 3z^2 - 1, xz, x^2 - y^2, with their constants.
+/// The harmonics at a unit direction: 1; y, z, x; xy, yz, 3z^2 - 1, xz, x^2 - y^2, with their
+/// constants.
 fn harmonics<R: Real>([x, y, z]: [R; 3]) -> [R; 9] {
     // sqrt(1/4 pi), sqrt(3/4 pi), sqrt(15/4 pi), sqrt(5/16 pi), sqrt(15/16 pi).
     let [zeroth, first, second, polar, sectoral] = [
@@ -70,7 +73,8 @@ impl<R: Real> Irradiance<R> {
         }
     }
 
-    /// Adds light from everywhere: `rows` x 2 `rows` directions of equal solid angle; none of 0 rows.
+    /// Adds light from everywhere: `rows` x 2 `rows` directions of equal solid angle; none of 0
+    /// rows.
     ///
     /// Under even light 8 rows are within 1 %, 64 within 0.02 %.
     pub fn add_light(&mut self, light: &impl Light<R>, rows: usize) {
@@ -92,7 +96,8 @@ impl<R: Real> Irradiance<R> {
 
     /// Irradiance on a facet of a unit normal; not below 0.
     ///
-    /// $E(m) = \pi L_{00} Y_{00} + \frac{2\pi}{3} \sum L_{1m} Y_{1m} + \frac{\pi}{4} \sum L_{2m} Y_{2m}$.
+    /// $E(m) = \pi L_{00} Y_{00} + \frac{2\pi}{3} \sum L_{1m} Y_{1m} + \frac{\pi}{4} \sum L_{2m}
+    /// Y_{2m}$.
     pub fn at(&self, normal: impl Into<[R; 3]>) -> [R; 3] {
         let at = harmonics(normal.into());
         let pi = core::f64::consts::PI;

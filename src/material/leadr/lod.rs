@@ -4,8 +4,9 @@
 
 use crate::scalar::Real;
 
-/// Level of detail of a cube map of `face` texels a side whose texels cover `solid_angle` on average:
-/// $\frac{1}{2} \log_2 \frac{6\,\mathrm{face}^2\,\omega}{4\pi}$. Negative where the map is too coarse.
+/// Level of detail of a cube map of `face` texels a side whose texels cover `solid_angle` on
+/// average: $\frac{1}{2} \log_2 \frac{6\,\mathrm{face}^2\,\omega}{4\pi}$. Negative where the map is
+/// too coarse.
 ///
 /// A solid angle of 0 and below counts as the smallest f32: level -63 of a face of 1.
 ///
@@ -21,13 +22,14 @@ pub fn cube_lod<R: Real>(solid_angle: R, face: R) -> R {
     log_two(texels) * R::HALF + log_two(face)
 }
 
-/// The paper's rule for a grid of `nodes` x `nodes`, as its listing has it: $\log_2(2 \pi^{-3/2}\, \mathrm{face}\,
-/// \sqrt\omega)$ plus a bias of 1.98 levels for 5 nodes and fewer, 0.98 for 32, none from 128 on, in between by
-/// $\log_2$ of the nodes.
+/// The paper's rule for a grid of `nodes` x `nodes`, as its listing has it: $\log_2(2 \pi^{-3/2}\,
+/// \mathrm{face}\, \sqrt\omega)$ plus a bias of 1.98 levels for 5 nodes and fewer, 0.98 for 32,
+/// none from 128 on, in between by $\log_2$ of the nodes.
 ///
-/// The formula takes a texel's angle as $\pi/(2\,\mathrm{face})$ and a disk for the facet's: 0.94 levels sharper than
-/// [`cube_lod`]. (Algorithm 1 has a third form, 1.29 levels sharper.) The biases are what makes up for a Jacobian that
-/// is not constant over a large facet, and are printed for the three sizes only.
+/// The formula takes a texel's angle as $\pi/(2\,\mathrm{face})$ and a disk for the facet's: 0.94
+/// levels sharper than [`cube_lod`]. (Algorithm 1 has a third form, 1.29 levels sharper.) The
+/// biases are what makes up for a Jacobian that is not constant over a large facet, and are printed
+/// for the three sizes only.
 ///
 /// Source: Dupuy et al. 2013, section 3.5.
 ///
@@ -37,7 +39,8 @@ pub fn cube_lod<R: Real>(solid_angle: R, face: R) -> R {
 /// assert!((difference(128) + 0.944).abs() < 1e-3 && (difference(5) - 1.036).abs() < 1e-3);
 /// ```
 pub fn dupuy_cube_lod<R: Real>(solid_angle: R, face: R, nodes: usize) -> R {
-    // log2(2 pi^(-3/2)); the listing rounds it to -1.48, and writes 0.5 and -0.5 with the biases in.
+    // log2(2 pi^(-3/2)); the listing rounds it to -1.48, and writes 0.5 and -0.5 with the biases
+    // in.
     let constant = R::lit(-1.477_244_194_208_478);
     let biases = [(5.0_f64, 1.98), (32.0, 0.98), (128.0, 0.0)];
     let n = (nodes as f64).clamp(5.0, 128.0);

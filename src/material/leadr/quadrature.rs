@@ -1,7 +1,8 @@
 //! Nodes and weights for means over a Gaussian's slopes, along one axis.
 //!
-//! Layer 4. A grid of N nodes per axis takes N^2 facets. Weights sum to 1; `widths` say which stretch of the axis a
-//! node stands for, in deviations: the weight over the density there. Light lookups take their solid angle from it.
+//! Layer 4. A grid of N nodes per axis takes N^2 facets. Weights sum to 1; `widths` say which
+//! stretch of the axis a node stands for, in deviations: the weight over the density there. Light
+//! lookups take their solid angle from it.
 
 use super::surface::Node;
 use crate::error::Error;
@@ -32,8 +33,8 @@ pub struct Quadrature<R, const N: usize> {
 impl<R: Real, const N: usize> Quadrature<R, N> {
     /// Equal distances of `spacing` deviations around 0, Gaussian weights.
     ///
-    /// A trapezoid: for smooth light its error falls like $e^{-2 \pi^2 / \mathrm{spacing}^2}$ with the spacing and
-    /// like $e^{-\mathrm{reach}^2/2}$ with the reach, `spacing` times N/2.
+    /// A trapezoid: for smooth light its error falls like $e^{-2 \pi^2 / \mathrm{spacing}^2}$ with
+    /// the spacing and like $e^{-\mathrm{reach}^2/2}$ with the reach, `spacing` times N/2.
     ///
     /// # Errors
     /// [`Error::Spacing`] unless it lies in $(0, 10]$; [`Error::NoNode`] if `N` is 0.
@@ -53,10 +54,11 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
         Ok(Self::spaced(spacing.to_f64()))
     }
 
-    /// The paper's: spacing 0.9 for 5 nodes, more reach for more of them, never beyond 3 deviations.
+    /// The paper's: spacing 0.9 for 5 nodes, more reach for more of them, never beyond 3
+    /// deviations.
     ///
-    /// Its text has nodes for N = 5 only, "larger spacing" for larger N, and the reach of 3. Read here as: a reach
-    /// of 1.8 for up to 5 nodes, from there in proportion to N - 1 until it is 3.
+    /// Its text has nodes for N = 5 only, "larger spacing" for larger N, and the reach of 3. Read
+    /// here as: a reach of 1.8 for up to 5 nodes, from there in proportion to N - 1 until it is 3.
     ///
     /// Source: Dupuy et al. 2013, section 3.4.
     pub fn dupuy() -> Self {
@@ -64,17 +66,20 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
         Self::spaced(2.0 * (0.45 * gaps).clamp(1.8, 3.0) / gaps)
     }
 
-    /// Ours: the axis in N cells, the inner ones of one width, the outer two without end; each node is the mean of the
-    /// density over its cell, each weight the cell's mass.
+    /// Ours: the axis in N cells, the inner ones of one width, the outer two without end; each node
+    /// is the mean of the density over its cell, each weight the cell's mass.
     ///
-    /// A facet's shown area is linear in the slope but for the kink where it turns away, and means of cells are exact
-    /// for what is linear: only the cell with the kink errs, and always to one side, as the area is convex. The largest
-    /// error of the area, over all eyes above the mean plane and all deviations, is 14 % for N = 3, 5 % for 5, 2 %
-    /// for 9, 0.2 % for 32; the paper's grids have 36, 12, 5 and 1 %. What varies within a cell is the light lookup's:
-    /// [`Facet::solid_angle`](super::Facet::solid_angle). In pictures under narrow lamps ours are ahead from N = 9 on
-    /// and on rough surfaces, the paper's 5 x 5 at deviations of 0.25 to 0.5: the report compares them.
+    /// A facet's shown area is linear in the slope but for the kink where it turns away, and means
+    /// of cells are exact for what is linear: only the cell with the kink errs, and always to one
+    /// side, as the area is convex. The largest error of the area, over all eyes above the mean
+    /// plane and all deviations, is 14 % for N = 3, 5 % for 5, 2 % for 9, 0.2 % for 32; the paper's
+    /// grids have 36, 12, 5 and 1 %. What varies within a cell is the light lookup's:
+    /// [`Facet::solid_angle`](super::Facet::solid_angle). In pictures under narrow lamps ours are
+    /// ahead from N = 9 on and on rough surfaces, the paper's 5 x 5 at deviations of 0.25 to 0.5:
+    /// the report compares them.
     ///
-    /// The outer cells begin at $1 + 0.35 \ln N$ deviations, within 0.2 of the best place for N = 3 to 128.
+    /// The outer cells begin at $1 + 0.35 \ln N$ deviations, within 0.2 of the best place for N = 3
+    /// to 128.
     ///
     /// ```
     /// let grid = lobe::material::leadr::Quadrature::<f64, 2>::cells();
@@ -88,7 +93,8 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
         // Mass from an edge upwards, and the density there.
         let beyond = |edge: f64| 0.5 * Real::erfc(edge * core::f64::consts::FRAC_1_SQRT_2);
         let (mut nodes, mut weights) = ([0.0; N], [0.0; N]);
-        // The upper half, whose masses are differences of small tails; the lower one is its mirror image.
+        // The upper half, whose masses are differences of small tails; the lower one is its mirror
+        // image.
         for k in N / 2..N {
             let edge = |k: usize| reach * (2.0 * k as f64 / count - 1.0);
             let (above, at) =
@@ -110,9 +116,10 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
 
     /// Gauss and Hermite's: exact for polynomials of the slope up to degree 2N - 1.
     ///
-    /// The best for small deviations and smooth light. An area that ends where facets turn away is no polynomial, and its
-    /// outer nodes lie far apart: for deviations above about 0.25, and under narrow lamps, the others do better. Newton's
-    /// method on Hermite polynomials in f64, for N up to 256; build it once.
+    /// The best for small deviations and smooth light. An area that ends where facets turn away is
+    /// no polynomial, and its outer nodes lie far apart: for deviations above about 0.25, and under
+    /// narrow lamps, the others do better. Newton's method on Hermite polynomials in f64, for N up
+    /// to 256; build it once.
     ///
     /// Source: Golub & Welsch 1969 for what the nodes are; weights by Christoffel's formula.
     ///
@@ -125,7 +132,8 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
     pub fn hermite() -> Self {
         let mut nodes = [0.0; N];
         for k in 0..N / 2 {
-            // From the right: what is found is divided out, so Newton's steps fall onto the next root.
+            // From the right: what is found is divided out, so Newton's steps fall onto the next
+            // root.
             let last = N - 1 - k;
             let start = if k == 0 { Real::sqrt(4.0 * N as f64 + 2.0) } else { nodes[last + 1] };
             nodes[last] = hermite_root(N, start, &nodes[last + 1..]);
@@ -183,7 +191,8 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
         &self.weights
     }
 
-    /// How much of the axis a node stands for, in standard deviations: its weight over the normal density.
+    /// How much of the axis a node stands for, in standard deviations: its weight over the normal
+    /// density.
     pub fn widths(&self) -> &[R; N] {
         &self.widths
     }

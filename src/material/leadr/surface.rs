@@ -9,17 +9,19 @@ use crate::slope::{Anisotropic, Lobe, LobeShape, NonCentered};
 
 /// Which of the relief's own shadows a mean has.
 ///
-/// Masking always: what is hidden from the eye is not seen. Shadows only where the renderer would draw them close by:
-/// a filter that darkens what the displaced geometry itself does not is inconsistent between scales.
+/// Masking always: what is hidden from the eye is not seen. Shadows only where the renderer would
+/// draw them close by: a filter that darkens what the displaced geometry itself does not is
+/// inconsistent between scales.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Shadowing {
     /// Masking and shadowing, height-correlated: $1/(1 + \Lambda_o + \Lambda_i)$.
     ///
-    /// It knows of heights, not of azimuths: where eye and light lean the same way, what the one sees the other reaches,
-    /// and this is too dark. (A sky on ray-cast relief, 32 x 32 facets: RMSE of 8.5 % of the mean at deviation 2, 20 %
-    /// over deep grooves. The report measures it.)
+    /// It knows of heights, not of azimuths: where eye and light lean the same way, what the one
+    /// sees the other reaches, and this is too dark. (A sky on ray-cast relief, 32 x 32 facets:
+    /// RMSE of 8.5 % of the mean at deviation 2, 20 % over deep grooves. The report measures it.)
     Both,
-    /// Masking alone: $1/(1 + \Lambda_o)$, in which the mean plane's area cancels, so $1/\sigma_o$ is all.
+    /// Masking alone: $1/(1 + \Lambda_o)$, in which the mean plane's area cancels, so $1/\sigma_o$
+    /// is all.
     MaskingOnly,
 }
 
@@ -71,15 +73,16 @@ pub struct Facet<R> {
     pub cosine: R,
     /// Weight times the area it shows, $W \langle m, w_o \rangle / m_z$.
     pub area: R,
-    /// Solid angle that its reflection covers, $4 \langle m, w_o \rangle m_z^3$ times its area on the slope plane:
-    /// what a light lookup should average over.
+    /// Solid angle that its reflection covers, $4 \langle m, w_o \rangle m_z^3$ times its area on
+    /// the slope plane: what a light lookup should average over.
     pub solid_angle: R,
 }
 
 impl<R: Real> Leadr<R> {
     /// The surface of a lobe: its mean slope, and its covariance $A/2$.
     ///
-    /// From maps: [`SlopeMoments::lobe`](crate::SlopeMoments::lobe), with the base roughness 0 or that of the facets.
+    /// From maps: [`SlopeMoments::lobe`](crate::SlopeMoments::lobe), with the base roughness 0 or
+    /// that of the facets.
     #[doc(alias = "lobe_leadr_new")]
     pub fn new(lobe: &Lobe<R>) -> Self {
         let covariance = lobe.roughness().covariance();
@@ -96,14 +99,17 @@ impl<R: Real> Leadr<R> {
         &self.ndf
     }
 
-    /// Radiance towards `wo` per unit of radiance and solid angle from `wi`, without Fresnel: BRDF times cosine.
+    /// Radiance towards `wo` per unit of radiance and solid angle from `wi`, without Fresnel: BRDF
+    /// times cosine.
     ///
-    /// $\frac{D(h)}{4 c_o (1 + \Lambda_o + \Lambda_i)}$, or $\frac{D(h)}{4 \sigma_o}$ with masking alone. Multiply by the
-    /// light's radiance, solid angle and Fresnel. c is the projected area of the mean plane (meso normalization). 0
-    /// where the mean plane turns away from either direction; with masking alone `wi` may lie anywhere.
+    /// $\frac{D(h)}{4 c_o (1 + \Lambda_o + \Lambda_i)}$, or $\frac{D(h)}{4 \sigma_o}$ with masking
+    /// alone. Multiply by the light's radiance, solid angle and Fresnel. c is the projected area of
+    /// the mean plane (meso normalization). 0 where the mean plane turns away from either
+    /// direction; with masking alone `wi` may lie anywhere.
     ///
-    /// Source: Dupuy et al. 2013, section 3.3, with $\Lambda$ exact instead of Walter's fit, the half vector in the
-    /// tangent frame (the listing passes the world's), and no normalization of a zero at normal incidence.
+    /// Source: Dupuy et al. 2013, section 3.3, with $\Lambda$ exact instead of Walter's fit, the
+    /// half vector in the tangent frame (the listing passes the world's), and no normalization of a
+    /// zero at normal incidence.
     #[doc(alias = "lobe_leadr_brdf_cos")]
     #[doc(alias = "lobe_leadr_unshadowed_brdf_cos")]
     pub fn brdf_cos(
@@ -122,10 +128,11 @@ impl<R: Real> Leadr<R> {
         }
     }
 
-    /// The share of the relief seen from `wo` that light from `wi` reaches: $G_2/G_1 = \sigma_o/(\sigma_o + c_o \Lambda_i)$.
+    /// The share of the relief seen from `wo` that light from `wi` reaches: $G_2/G_1 =
+    /// \sigma_o/(\sigma_o + c_o \Lambda_i)$.
     ///
-    /// In \[0, 1\]. 0 for light from below the mean plane; where that plane turns away from `wo`, 1: what is seen of it
-    /// are its crests.
+    /// In \[0, 1\]. 0 for light from below the mean plane; where that plane turns away from `wo`,
+    /// 1: what is seen of it are its crests.
     ///
     /// ```
     /// use lobe::material::leadr::Leadr;
@@ -154,8 +161,9 @@ impl<R: Real> Leadr<R> {
 
     /// The facet at a node of a grid: slope $\mu + L p$ with the node's place p.
     ///
-    /// Source: Dupuy et al. 2013, Algorithm 1, which writes L by deviations and correlation. The solid angle takes the
-    /// node's own area on the slope plane, where the paper takes the square of the larger side for all.
+    /// Source: Dupuy et al. 2013, Algorithm 1, which writes L by deviations and correlation. The
+    /// solid angle takes the node's own area on the slope plane, where the paper takes the square
+    /// of the larger side for all.
     ///
     /// ```
     /// use lobe::material::leadr::{Quadrature, Leadr};
@@ -173,7 +181,8 @@ impl<R: Real> Leadr<R> {
         let slope =
             [self.mean[0] + l11 * place[0], self.mean[1] + (l21 * place[0] + l22 * place[1])];
         let normal = normal_of(slope);
-        // On the slope plane the area shown is linear in the slope: no quotient of two small cosines.
+        // On the slope plane the area shown is linear in the slope: no quotient of two small
+        // cosines.
         let shown = (wo[2] - slope[0] * wo[0] - slope[1] * wo[1]).max(R::ZERO);
         let cosine = shown * normal[2];
         let z = normal[2];
@@ -186,12 +195,12 @@ impl<R: Real> Leadr<R> {
         }
     }
 
-    /// A facet that always faces `wo` a little, for pixels whose mean plane does not: silhouettes of coarse
-    /// tessellations.
+    /// A facet that always faces `wo` a little, for pixels whose mean plane does not: silhouettes
+    /// of coarse tessellations.
     ///
-    /// $m = \mathrm{normalize}(n - (n \cdot w_o)\,\epsilon\, w_o)$ with the unit normal n of the mean plane and
-    /// $\epsilon = 1.01$; weight $10^{-5}$, so it counts where no other facet does. Where the mean plane faces `wo`, it
-    /// turns away and has area 0.
+    /// $m = \mathrm{normalize}(n - (n \cdot w_o)\,\epsilon\, w_o)$ with the unit normal n of the
+    /// mean plane and $\epsilon = 1.01$; weight $10^{-5}$, so it counts where no other facet does.
+    /// Where the mean plane faces `wo`, it turns away and has area 0.
     ///
     /// Source: Dupuy et al. 2013, section 3.7.
     ///
@@ -212,7 +221,8 @@ impl<R: Real> Leadr<R> {
             crate::slope::direction::normalize([0, 1, 2].map(|k: usize| n[k] - along * wo[k]));
         let cosine = dot(normal, wo).max(R::ZERO);
         let z = normal[2].abs();
-        // The paper divides by the height of this normal, too, which may be 0: it belongs to no slope.
+        // The paper divides by the height of this normal, too, which may be 0: it belongs to no
+        // slope.
         Facet {
             normal,
             wi: reflect(wo, normal),

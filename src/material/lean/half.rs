@@ -10,11 +10,13 @@ pub(super) fn to_half(x: f32) -> u16 {
     let sign = (x.to_bits() >> 16) & 0x8000;
     let magnitude = if x.is_nan() { 0.0 } else { x.abs().min(65504.0) };
     let bits = if magnitude < 6.103_515_6e-5 {
-        // Below 2^-14 halves are whole numbers of 2^-24, the spacing of f32 at 1/2: a sum rounds to them.
+        // Below 2^-14 halves are whole numbers of 2^-24, the spacing of f32 at 1/2: a sum rounds to
+        // them.
         (magnitude + 0.5).to_bits() - 0.5_f32.to_bits()
     } else {
         let bits = magnitude.to_bits();
-        // Half of the last place that stays, less one where that is even; the exponents' zero differs by 112.
+        // Half of the last place that stays, less one where that is even; the exponents' zero
+        // differs by 112.
         ((bits + 0xFFF + ((bits >> 13) & 1)) >> 13) - (112 << 10)
     };
     // Both parts have 16 bits.

@@ -32,8 +32,9 @@ pub struct HeightField<'a, R> {
 impl<'a, R: Real> HeightField<'a, R> {
     /// Heights by rows, `size` as width and height.
     ///
-    /// `texel`: the distance of neighboring texels along x and y, in the unit of `displacement`, which is the height of
-    /// a stored 1. A negative distance turns an axis: rows that count down under a y that points up.
+    /// `texel`: the distance of neighboring texels along x and y, in the unit of `displacement`,
+    /// which is the height of a stored 1. A negative distance turns an axis: rows that count down
+    /// under a y that points up.
     ///
     /// # Errors
     /// [`Error::MapSize`] unless the heights are as many as the size says, and more than none;
@@ -60,11 +61,11 @@ impl<'a, R: Real> HeightField<'a, R> {
         Ok(Self { width, height, heights, scale: texel.map(|d| displacement / d), border })
     }
 
-    /// Slopes of the rows from `first` on, as many as fit into `out`: central differences, and at a clamped border those
-    /// to the one neighbor there is. An axis of one texel is flat.
+    /// Slopes of the rows from `first` on, as many as fit into `out`: central differences, and at a
+    /// clamped border those to the one neighbor there is. An axis of one texel is flat.
     ///
-    /// A central difference is the mean slope of the two quads beside a texel, which the displaced mesh has. Details of
-    /// two texels' period have none.
+    /// A central difference is the mean slope of the two quads beside a texel, which the displaced
+    /// mesh has. Details of two texels' period have none.
     ///
     /// # Errors
     /// [`Error::Length`] unless `out` is whole rows of the map, from `first` on.

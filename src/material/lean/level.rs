@@ -1,13 +1,15 @@
 //! A level of a mip chain: how texels of a finer one merge into its own.
 //!
-//! Layer 4. By the parallel-axis theorem: the mean of the covariances plus the covariance of the means. Every term is
-//! positive semi-definite, nothing cancels, and no large square is ever formed.
+//! Layer 4. By the parallel-axis theorem: the mean of the covariances plus the covariance of the
+//! means. Every term is positive semi-definite, nothing cancels, and no large square is ever
+//! formed.
 
 use crate::scalar::exact::cross;
 use crate::scalar::{Psd, Real};
 use crate::slope::SlopeMoments;
 
-/// A texel's moments as a level keeps them: mean, entries of the covariance, root of its determinant.
+/// A texel's moments as a level keeps them: mean, entries of the covariance, root of its
+/// determinant.
 ///
 /// Plain numbers, as a level of zeros comes from the allocator without a pass over it.
 pub(super) type Stored<R> = [R; 6];
@@ -39,8 +41,9 @@ pub(super) fn halved(size: [usize; 2]) -> [usize; 2] {
 
 /// The finer texels that the `k`-th of `n / 2` covers, from which one on, and their shares of it.
 ///
-/// Of an odd `n = 2 m + 1` each covers 2 + 1/m, three texels in part: a box of its exact extent. Shares are sums
-/// of whole numbers over n, so all shares of a finer texel together are the same for each.
+/// Of an odd `n = 2 m + 1` each covers 2 + 1/m, three texels in part: a box of its exact extent.
+/// Shares are sums of whole numbers over n, so all shares of a finer texel together are the same
+/// for each.
 pub(super) fn shares<R: Real>(k: usize, n: usize) -> (usize, [R; 3]) {
     let (zero, half) = (R::ZERO, R::HALF);
     if n == 1 {
@@ -62,8 +65,8 @@ pub(super) fn minus<R: Real>(p: [R; 2], q: [R; 2]) -> [R; 2] {
 
 /// Four slopes, equally, the mean relative to an origin: two pairs, and the pair of their means.
 ///
-/// The covariance is a sum of three outer products, its determinant by Cauchy and Binet the sum of the squares of
-/// their cross products.
+/// The covariance is a sum of three outer products, its determinant by Cauchy and Binet the sum of
+/// the squares of their cross products.
 #[inline]
 fn four<R: Real>([a, b, c, d]: [[R; 2]; 4], origin: [R; 2]) -> SlopeMoments<R> {
     let half = R::HALF;
@@ -111,7 +114,8 @@ impl<R: Real> Finer<'_, R> {
         }
     }
 
-    /// Rows from `first` on of the next level, as many as fit into `out`; `size` is the finer one's.
+    /// Rows from `first` on of the next level, as many as fit into `out`; `size` is the finer
+    /// one's.
     pub(super) fn merge_rows(&self, size: [usize; 2], first: usize, out: &mut [Stored<R>]) {
         let [width, height] = size;
         let [columns, _] = halved(size);
@@ -150,7 +154,8 @@ pub(super) struct Block<R> {
 }
 
 impl<R: Real> Block<R> {
-    /// The finer texels under the next level's texel in this column and row; `size` is the finer level's.
+    /// The finer texels under the next level's texel in this column and row; `size` is the finer
+    /// level's.
     #[inline]
     pub(super) fn of([width, height]: [usize; 2], column: usize, row: usize) -> Self {
         let (top, down) = shares::<R>(row, height);
@@ -168,9 +173,9 @@ impl<R: Real> Block<R> {
 
 /// Moments merged by shares, not negative and with sum 1.
 ///
-/// Two passes: the mean first, then all differences from it, so nothing cancels. The entries' own determinant is good to
-/// the rounding of their product; where that says nothing, Minkowski's bound does: the root of a sum's determinant is
-/// at least the sum of the roots.
+/// Two passes: the mean first, then all differences from it, so nothing cancels. The entries' own
+/// determinant is good to the rounding of their product; where that says nothing, Minkowski's bound
+/// does: the root of a sum's determinant is at least the sum of the roots.
 #[inline]
 pub(super) fn gathered<R: Real, const N: usize>(
     moments: &[SlopeMoments<R>; N],

@@ -20,17 +20,20 @@ pub enum Border {
     Clamp,
 }
 
-/// A slope map with its mip chain: level 0 are the slopes, each further level their means and covariances.
+/// A slope map with its mip chain: level 0 are the slopes, each further level their means and
+/// covariances.
 ///
-/// A side of n texels has n/2 on the next level, rounded down and at least 1, as on a GPU, each the box of its exact
-/// extent: of odd sides three texels in part. Level n is the merge of its texels on level n - 1, and the last one, of
-/// one texel, that of the whole map. Positive semi-definite by construction. A covariance errs by what rounding moves its
-/// texels' means: relative to it about $2^{-23} |\mu| / \sigma$ in f32, with $\mu$ counted from the middle of the map's slopes
-/// where all of them lie far from 0. (Raw moments err by the square of that, and $\mu$ counts from 0: a deviation of
-/// 4e-4 of the mean is lost.)
+/// A side of n texels has n/2 on the next level, rounded down and at least 1, as on a GPU, each the
+/// box of its exact extent: of odd sides three texels in part. Level n is the merge of its texels
+/// on level n - 1, and the last one, of one texel, that of the whole map. Positive semi-definite by
+/// construction. A covariance errs by what rounding moves its texels' means: relative to it about
+/// $2^{-23} |\mu| / \sigma$ in f32, with $\mu$ counted from the middle of the map's slopes where
+/// all of them lie far from 0. (Raw moments err by the square of that, and $\mu$ counts from 0: a
+/// deviation of 4e-4 of the mean is lost.)
 ///
-/// Memory: two numbers a texel of the map and six of each level above it, in all twice the map's slopes (four times of
-/// a map one texel wide). Weights ([`MomentMap::from_weighted_slopes`]) take another number a texel.
+/// Memory: two numbers a texel of the map and six of each level above it, in all twice the map's
+/// slopes (four times of a map one texel wide). Weights ([`MomentMap::from_weighted_slopes`]) take
+/// another number a texel.
 ///
 /// ```
 /// use lobe::material::lean::{Border, MomentMap, SlopeCap};
@@ -56,7 +59,8 @@ pub struct MomentMap<R> {
     /// What levels' means are relative to: of a map of nearly equal slopes their middle, else 0.
     origin: [R; 2],
     pub(super) levels: Vec<Vec<Stored<R>>>,
-    /// The texels' weights of each level, the map itself included; empty if every texel counts the same.
+    /// The texels' weights of each level, the map itself included; empty if every texel counts the
+    /// same.
     pub(super) weights: Vec<Vec<R>>,
 }
 
@@ -90,8 +94,8 @@ impl<R: Real> MomentMap<R> {
     /// The chain over a map of slopes, by rows.
     ///
     /// # Errors
-    /// [`Error::MapSize`] unless the slopes are as many as the size says, and more than none; [`Error::Mean`] if one is
-    /// beyond $10^9$ or NaN.
+    /// [`Error::MapSize`] unless the slopes are as many as the size says, and more than none;
+    /// [`Error::Mean`] if one is beyond $10^9$ or NaN.
     pub fn from_slopes(
         size: [usize; 2],
         slopes: Vec<[R; 2]>,
@@ -100,8 +104,8 @@ impl<R: Real> MomentMap<R> {
         Self::built(size, slopes, None, border, |_, out, rows| rows(0, out))
     }
 
-    /// The same with the rows of each level dealt to `workers` threads (feature `std`): the result is the same to the
-    /// bit for any number of them; 0 counts as 1.
+    /// The same with the rows of each level dealt to `workers` threads (feature `std`): the result
+    /// is the same to the bit for any number of them; 0 counts as 1.
     ///
     /// # Errors
     /// As [`MomentMap::from_slopes`].
@@ -138,8 +142,8 @@ impl<R: Real> MomentMap<R> {
         Ok((Self::from_slopes(size, slopes, border)?, clipped))
     }
 
-    /// The chain, by weights if there are any; `deal` gives the rows of a level to the function that merges them, in
-    /// bands of any height, `size` being the finer level's.
+    /// The chain, by weights if there are any; `deal` gives the rows of a level to the function
+    /// that merges them, in bands of any height, `size` being the finer level's.
     pub(super) fn built(
         size: [usize; 2],
         slopes: Vec<[R; 2]>,
@@ -262,8 +266,8 @@ impl<R: Real> MomentMap<R> {
     }
 }
 
-/// What means are best kept relative to, for each axis: the middle of the slopes if they all lie within a quarter of it
-/// around it, else 0, from which slopes are exact.
+/// What means are best kept relative to, for each axis: the middle of the slopes if they all lie
+/// within a quarter of it around it, else 0, from which slopes are exact.
 fn origin<R: Real>(slopes: &[[R; 2]]) -> Result<[R; 2], Error> {
     let (mut low, mut high) = ([R::MAX; 2], [-R::MAX; 2]);
     let mut bad = None;

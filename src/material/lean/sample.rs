@@ -1,7 +1,8 @@
 //! Moments between texels: bilinear, trilinear, and along a footprint.
 //!
-//! Layer 4. Interpolating covariances alone forgets that the texels' means differ; a merge by weights does not. This is
-//! what linear filtering of raw moments gives, without their cancellation.
+//! Layer 4. Interpolating covariances alone forgets that the texels' means differ; a merge by
+//! weights does not. This is what linear filtering of raw moments gives, without their
+//! cancellation.
 
 use super::level::gathered;
 use super::map::{Border, MomentMap};
@@ -22,10 +23,11 @@ struct Corners<R> {
 }
 
 impl<R: Real> MomentMap<R> {
-    /// Moments at `uv` of a level: the four texels around, merged by bilinear weights, between-texel term included.
+    /// Moments at `uv` of a level: the four texels around, merged by bilinear weights,
+    /// between-texel term included.
     ///
-    /// Texel (i, j) has its center at ((i + 1/2) / width, (j + 1/2) / height). Coordinates beyond $10^9$ texels and NaN
-    /// count as 0.
+    /// Texel (i, j) has its center at ((i + 1/2) / width, (j + 1/2) / height). Coordinates beyond
+    /// $10^9$ texels and NaN count as 0.
     ///
     /// ```
     /// use lobe::material::lean::{Border, MomentMap};
@@ -41,9 +43,11 @@ impl<R: Real> MomentMap<R> {
         self.absolute(gathered(&corners.texels, &shares))
     }
 
-    /// Moments at `uv` between levels: [`MomentMap::bilinear`] on the two around `lod`, merged by its fraction.
+    /// Moments at `uv` between levels: [`MomentMap::bilinear`] on the two around `lod`, merged by
+    /// its fraction.
     ///
-    /// `lod` 0 is the map, 1 the level of half its size; it is kept between the first and the last level, NaN counts as 0.
+    /// `lod` 0 is the map, 1 the level of half its size; it is kept between the first and the last
+    /// level, NaN counts as 0.
     ///
     /// ```
     /// use lobe::material::lean::{Border, MomentMap};
@@ -66,7 +70,8 @@ impl<R: Real> MomentMap<R> {
         (usize::try_from(level).unwrap_or_default(), share)
     }
 
-    /// A level and the next by its share; the mean is relative to the map's origin. Their weight, too.
+    /// A level and the next by its share; the mean is relative to the map's origin. Their weight,
+    /// too.
     fn between_levels(&self, uv: [R; 2], level: usize, share: R) -> (SlopeMoments<R>, R) {
         let fine = self.corners(level, uv);
         if share == R::ZERO {
@@ -84,15 +89,17 @@ impl<R: Real> MomentMap<R> {
         (gathered(&texels, &shares), weight)
     }
 
-    /// Moments of a footprint: its center and the steps `du`, `dv` of its sides in uv, a pixel apart.
+    /// Moments of a footprint: its center and the steps `du`, `dv` of its sides in uv, a pixel
+    /// apart.
     ///
-    /// Trilinear probes along the longer side, `most` and one at the most (counted within 1 and 1024), all merged, so what
-    /// lies between them counts. They are as wide as the shorter side, or as it takes to span the longer one: a
-    /// bilinear lookup has, in the mean over its phases, three times the variance of a texel, so texels are
-    /// $1/\sqrt 3$ as wide as a probe; levels are mixed to the variance between theirs; and the probes' places have
-    /// the variance that is left of the longer side's. On an even slope the whole has that of the footprint, where
-    /// hardware's filter has three to four times as much. No probe is narrower than a texel, which a lookup of the
-    /// finest level widens to $\sqrt 3$ of them.
+    /// Trilinear probes along the longer side, `most` and one at the most (counted within 1 and
+    /// 1024), all merged, so what lies between them counts. They are as wide as the shorter side,
+    /// or as it takes to span the longer one: a bilinear lookup has, in the mean over its phases,
+    /// three times the variance of a texel, so texels are $1/\sqrt 3$ as wide as a probe; levels
+    /// are mixed to the variance between theirs; and the probes' places have the variance that is
+    /// left of the longer side's. On an even slope the whole has that of the footprint, where
+    /// hardware's filter has three to four times as much. No probe is narrower than a texel, which
+    /// a lookup of the finest level widens to $\sqrt 3$ of them.
     ///
     /// ```
     /// use lobe::material::lean::{Border, MomentMap};
@@ -128,7 +135,8 @@ impl<R: Real> MomentMap<R> {
         let log_two = R::lit(core::f64::consts::LN_2);
         let (level, between) =
             self.levels_around((probe * R::lit(INVERSE_ROOT_THREE)).ln() / log_two);
-        // Texels of levels differ fourfold in variance: the share at which the mixture has the probe's.
+        // Texels of levels differ fourfold in variance: the share at which the mixture has the
+        // probe's.
         let share = ((between * R::TWO * log_two).exp() - R::ONE) / R::lit(3.0);
         // Places n - 1 distances apart have the variance (n^2 - 1)/12 of one.
         let n = R::lit(count as f64);
@@ -140,7 +148,8 @@ impl<R: Real> MomentMap<R> {
         let (mut sum, mut total) = at(0);
         for k in 1..count {
             let (probe, weight) = at(k);
-            // As long as no probe has weight, all count the same; the first one with weight replaces them.
+            // As long as no probe has weight, all count the same; the first one with weight
+            // replaces them.
             let (own, all) = if total + weight > R::ZERO {
                 (weight, total + weight)
             } else {
@@ -194,7 +203,8 @@ impl<R: Real> MomentMap<R> {
     }
 }
 
-/// The next whole number from below, and what is left, in [0, 1). For magnitudes of up to about $10^9$.
+/// The next whole number from below, and what is left, in [0, 1). For magnitudes of up to about
+/// $10^9$.
 fn floor<R: Real>(x: R) -> (i64, R) {
     // `as` towards zero; of negative fractions that is one too many.
     let towards_zero = x.to_f64() as i64;

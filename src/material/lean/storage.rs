@@ -1,17 +1,18 @@
-//! Raw moments as textures hold them: what filtering hardware may interpolate, and what alpha is lost in it.
+//! Raw moments as textures hold them: what filtering hardware may interpolate, and what alpha is
+//! lost in it.
 //!
-//! Layer 4. Raw moments are linear in area, so any filter may average them; covariances are not. What is left of a
-//! covariance is a difference of stored numbers, so the storage's step sets a floor. Texels are written with the second
-//! moment about the mean *as stored*, $\Sigma + \hat\mu\hat\mu^T$: the mean's rounding then moves the lobe a little
-//! and leaves its width alone.
+//! Layer 4. Raw moments are linear in area, so any filter may average them; covariances are not.
+//! What is left of a covariance is a difference of stored numbers, so the storage's step sets a
+//! floor. Texels are written with the second moment about the mean *as stored*, $\Sigma +
+//! \hat\mu\hat\mu^T$: the mean's rounding then moves the lobe a little and leaves its width alone.
 
 use super::half::{from_half, to_half};
 use crate::error::Error;
 use crate::scalar::Real;
 use crate::slope::SlopeMoments;
 
-/// A texel layout for $\mathrm{E}\,s_x$, $\mathrm{E}\,s_y$, $\mathrm{E}\,s_x^2$, $\mathrm{E}\,s_x s_y$,
-/// $\mathrm{E}\,s_y^2$, in this order.
+/// A texel layout for $\mathrm{E}\,s_x$, $\mathrm{E}\,s_y$, $\mathrm{E}\,s_x^2$, $\mathrm{E}\,s_x
+/// s_y$, $\mathrm{E}\,s_y^2$, in this order.
 ///
 /// ```
 /// use lobe::material::lean::{Storage, Unorm16};
@@ -28,8 +29,8 @@ pub trait Storage {
     /// A stored number.
     type Word: Copy;
 
-    /// The nearest texel. Slopes beyond the layout's range have none: they are stored as its end, where a map's
-    /// [`MomentMap::range`](super::MomentMap::range) tells which range it needs.
+    /// The nearest texel. Slopes beyond the layout's range have none: they are stored as its end,
+    /// where a map's [`MomentMap::range`](super::MomentMap::range) tells which range it needs.
     fn encode(&self, moments: &SlopeMoments<f32>) -> [Self::Word; 5];
 
     /// The raw moments of a texel, $\mathrm{E}\,s$ and $\mathrm{E}\,s s^T$.
@@ -44,14 +45,15 @@ pub trait Storage {
         SlopeMoments::from_raw(mean, second)
     }
 
-    /// The alpha below which a stored lobe may not be told from a mirror: $\sqrt{2 e}$ with $e$ half a step of the
-    /// stored second moments at the end of the range, which is what a decoder's difference
-    /// $\mathrm{E}\,s s^T - \hat\mu\hat\mu^T$ errs by at most, for slopes within the range.
+    /// The alpha below which a stored lobe may not be told from a mirror: $\sqrt{2 e}$ with $e$
+    /// half a step of the stored second moments at the end of the range, which is what a decoder's
+    /// difference $\mathrm{E}\,s s^T - \hat\mu\hat\mu^T$ errs by at most, for slopes within the
+    /// range.
     ///
-    /// For range 1: unorm16 0.0055, f16 0.031, f32 3.5e-4. (Moments that are rounded each for itself, as published,
-    /// have 0.0087, 0.038 and 4.2e-4 or more: the mean's error counts twice its slope.) Not in it: mending an indefinite
-    /// difference, which moves entries once more by as much; a decoder's own rounding, of the size of what it gives; and
-    /// interpolation in hardware.
+    /// For range 1: unorm16 0.0055, f16 0.031, f32 3.5e-4. (Moments that are rounded each for
+    /// itself, as published, have 0.0087, 0.038 and 4.2e-4 or more: the mean's error counts twice
+    /// its slope.) Not in it: mending an indefinite difference, which moves entries once more by as
+    /// much; a decoder's own rounding, of the size of what it gives; and interpolation in hardware.
     fn alpha_floor(&self) -> f32;
 }
 
@@ -81,11 +83,11 @@ pub struct Float16 {
     range: f32,
 }
 
-/// Five unsigned normalized 16-bit numbers: means in [-range, range], second moments in [0, range^2] and, of xy,
-/// [-range^2, range^2]; both zeros are exact.
+/// Five unsigned normalized 16-bit numbers: means in [-range, range], second moments in [0,
+/// range^2] and, of xy, [-range^2, range^2]; both zeros are exact.
 ///
-/// The code of a signed number is `32768 + 32767 x / range`, so 0 is one. Hardware reads codes as `v = code / 65535`:
-/// [`SlopeMoments::from_unorm`] takes those.
+/// The code of a signed number is `32768 + 32767 x / range`, so 0 is one. Hardware reads codes as
+/// `v = code / 65535`: [`SlopeMoments::from_unorm`] takes those.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unorm16 {
     range: f32,
@@ -148,7 +150,8 @@ impl Storage for Float16 {
     }
 
     fn alpha_floor(&self) -> f32 {
-        // Half of the spacing of halves at the largest second moment, of a mean that was rounded away from 0.
+        // Half of the spacing of halves at the largest second moment, of a mean that was rounded
+        // away from 0.
         let mean = from_half(to_half(self.range) + 1);
         let most = to_half(mean * mean);
         (from_half(most + 1) - from_half(most)).sqrt()
@@ -182,7 +185,8 @@ impl Storage for Unorm16 {
         let axis = |k: usize| {
             let nearest = signed(mean[k], self.range);
             let ([stored, _], _) = self.raw([nearest, 0, 0, 0, 0]);
-            // Rounded up to the end of the range, a mean leaves its variance no room: towards 0 it does.
+            // Rounded up to the end of the range, a mean leaves its variance no room: towards 0 it
+            // does.
             let beyond = variances[2 * k] + stored * stored > square;
             match nearest {
                 _ if !beyond || stored.abs() <= mean[k].abs() => nearest,
@@ -226,8 +230,8 @@ fn raw_of_unorm<R: Real>(mean: [R; 2], second: [R; 3], range: R) -> ([R; 2], [R;
 }
 
 impl<R: Real> SlopeMoments<R> {
-    /// From what a sampler gives of [`Unorm16`](crate::material::lean::Unorm16) textures: numbers in \[0, 1\], filtered
-    /// or not, and the range they were written for.
+    /// From what a sampler gives of [`Unorm16`](crate::material::lean::Unorm16) textures: numbers
+    /// in \[0, 1\], filtered or not, and the range they were written for.
     ///
     /// Negative eigenvalues that rounding leaves become 0, as in [`SlopeMoments::from_raw`].
     ///

@@ -1,7 +1,8 @@
 //! From a normal map's texels to slopes, with a cap that is a value and a count of what it touched.
 //!
-//! Layer 4. A slope explodes as the normal falls to the horizon: in 8 bits the lowest but one has slope 255, and its
-//! square outweighs a thousand others. So there is a cap, the caller names it, and learns what it cost.
+//! Layer 4. A slope explodes as the normal falls to the horizon: in 8 bits the lowest but one has
+//! slope 255, and its square outweighs a thousand others. So there is a cap, the caller names it,
+//! and learns what it cost.
 
 use crate::error::{Error, same_length};
 use crate::scalar::Real;
@@ -10,10 +11,10 @@ use core::ops::Add;
 
 /// A texel that stands for a normal, of any length.
 ///
-/// Integers are unsigned normalized, $2 v / \mathrm{max} - 1$, as glTF and hardware have it. Pairs (BC5 and its
-/// kind) have no z: it is what is left to unit length, $\sqrt{\max(0, 1 - x^2 - y^2)}$. Triples may have any length:
-/// slopes are quotients, so the unequal lengths of compressed maps change nothing. Of four the last, alpha, is
-/// ignored.
+/// Integers are unsigned normalized, $2 v / \mathrm{max} - 1$, as glTF and hardware have it. Pairs
+/// (BC5 and its kind) have no z: it is what is left to unit length, $\sqrt{\max(0, 1 - x^2 -
+/// y^2)}$. Triples may have any length: slopes are quotients, so the unequal lengths of compressed
+/// maps change nothing. Of four the last, alpha, is ignored.
 pub trait NormalTexel: Copy {
     /// The normal, not normalized.
     fn normal<R: Real>(self) -> [R; 3];
@@ -76,7 +77,8 @@ float!(f32, f64);
 
 /// The steepest slope that a map may have: longer ones are shortened to it, their direction stays.
 ///
-/// 10 to 25 suit real maps (84 to 88 degrees). Without one, texels at the horizon would be all that a moment knows.
+/// 10 to 25 suit real maps (84 to 88 degrees). Without one, texels at the horizon would be all that
+/// a moment knows.
 ///
 /// ```
 /// use lobe::material::lean::SlopeCap;
@@ -149,8 +151,8 @@ impl<R: Real> SlopeCap<R> {
 
     /// A texel's slope $(-m_x/m_z, -m_y/m_z)$, and whether the cap touched it.
     ///
-    /// A normal at or below the horizon has the cap's length, towards where it points; one without a direction (0,
-    /// straight down, infinite, NaN) is flat, and counts as touched.
+    /// A normal at or below the horizon has the cap's length, towards where it points; one without
+    /// a direction (0, straight down, infinite, NaN) is flat, and counts as touched.
     #[inline]
     pub fn slope(&self, texel: impl NormalTexel) -> ([R; 2], bool) {
         let [x, y, z] = texel.normal::<R>();

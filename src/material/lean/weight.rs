@@ -1,7 +1,7 @@
 //! Merges of a map's texels by weights: a mip chain that counts covered texels only.
 //!
-//! Layer 4. The parallel-axis theorem again: $\mu = \sum w_i \mu_i / \sum w_i$, $\Sigma = \sum w_i (\Sigma_i + (\mu_i -
-//! \mu)(\mu_i - \mu)^T) / \sum w_i$.
+//! Layer 4. The parallel-axis theorem again: $\mu = \sum w_i \mu_i / \sum w_i$, $\Sigma = \sum w_i
+//! (\Sigma_i + (\mu_i - \mu)(\mu_i - \mu)^T) / \sum w_i$.
 
 use super::level::{Block, Finer, Stored, gathered, halved, stored};
 use crate::scalar::Real;
@@ -37,8 +37,8 @@ pub(super) fn coarser<R: Real>(weights: &[R], size: [usize; 2]) -> Vec<R> {
     coarse
 }
 
-/// Rows from `first` on of the next level by weights, as many as fit into `out`; `size` is the finer one's. Texels
-/// without weight stay as they are.
+/// Rows from `first` on of the next level by weights, as many as fit into `out`; `size` is the
+/// finer one's. Texels without weight stay as they are.
 pub(super) fn merge_rows<R: Real>(
     finer: &Finer<'_, R>,
     weights: &[R],
@@ -52,8 +52,8 @@ pub(super) fn merge_rows<R: Real>(
         let own = places.map(|place| weights[place]);
         let Some((mut shares, _)) = weighed(&shares, &own) else { continue };
         let heaviest = (0..9).fold(0, |best, k| if shares[k] > shares[best] { k } else { best });
-        // The heaviest texel comes first, as `gathered` takes means relative to the first one. It also stands in for
-        // texels without weight, whose slopes may be anything.
+        // The heaviest texel comes first, as `gathered` takes means relative to the first one. It
+        // also stands in for texels without weight, whose slopes may be anything.
         shares.swap(0, heaviest);
         let mut places =
             places.map(|place| if weights[place] > R::ZERO { place } else { places[heaviest] });

@@ -21,9 +21,10 @@ const HEADER: usize = 44;
 impl Dictionary<f32> {
     /// The dictionary as bytes.
     ///
-    /// Little-endian: 8 bytes `lobe dct`; u32 version, 1; u32 marginals, levels, intervals; u32 means, 0 for
-    /// [`LobeMeans::Stratified`] and 1 for [`LobeMeans::Chermain`]; u32 seed; f64 width; u32 checksum, FNV-1a of all other bytes; then
-    /// f32 density and f32 cumulative of each node, in the order of [`Dictionary::nodes`].
+    /// Little-endian: 8 bytes `lobe dct`; u32 version, 1; u32 marginals, levels, intervals; u32
+    /// means, 0 for [`LobeMeans::Stratified`] and 1 for [`LobeMeans::Chermain`]; u32 seed; f64
+    /// width; u32 checksum, FNV-1a of all other bytes; then f32 density and f32 cumulative of each
+    /// node, in the order of [`Dictionary::nodes`].
     ///
     /// ```
     /// use lobe::Error;
@@ -60,9 +61,11 @@ impl Dictionary<f32> {
     /// The dictionary of such bytes.
     ///
     /// # Errors
-    /// [`Error::DictionaryMagic`] of what are no bytes of a dictionary; [`Error::DictionaryVersion`] of another layout;
-    /// those of [`Dictionary::new`] and [`Error::LobeMeans`] of a recipe out of range; [`Error::DictionaryLength`] of too few bytes or too many;
-    /// [`Error::DictionaryChecksum`] of damaged ones; [`Error::DictionaryDensity`] of nodes that are no densities of integral 1.
+    /// [`Error::DictionaryMagic`] of what are no bytes of a dictionary;
+    /// [`Error::DictionaryVersion`] of another layout; those of [`Dictionary::new`] and
+    /// [`Error::LobeMeans`] of a recipe out of range; [`Error::DictionaryLength`] of too few bytes
+    /// or too many; [`Error::DictionaryChecksum`] of damaged ones; [`Error::DictionaryDensity`] of
+    /// nodes that are no densities of integral 1.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
         if bytes.len() < MAGIC.len() || bytes[..MAGIC.len()] != MAGIC {
             return Err(Error::DictionaryMagic);
@@ -112,7 +115,8 @@ impl Dictionary<f32> {
     }
 }
 
-/// Whether nodes are those of half a density: not negative, with its integral up to each, which ends at 1/2.
+/// Whether nodes are those of half a density: not negative, with its integral up to each, which
+/// ends at 1/2.
 fn is_density(table: &[[f32; 2]], step: f64) -> bool {
     // What rounding two integrals of up to 1/2 and the densities between them leaves.
     const ROUNDING: f64 = 1.0 / (1 << 24) as f64;

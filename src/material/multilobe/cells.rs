@@ -10,8 +10,8 @@ use crate::scalar::Real;
 use crate::scalar::hash::{tail, uniform};
 use crate::scalar::quantile::normal_quantile;
 
-/// Cells from the tile's corner, as a power of two: beyond it f32 places a pixel within a cell too coarsely for its weights, and in
-/// f64 indices end.
+/// Cells from the tile's corner, as a power of two: beyond it f32 places a pixel within a cell too
+/// coarsely for its weights, and in f64 indices end.
 fn farthest<R: Real>() -> i32 {
     if R::SINGLE { 20 } else { 28 }
 }
@@ -85,7 +85,8 @@ impl<R: Real> Cells<R> {
         mean
     }
 
-    /// What the cell has drawn in which the sum of shares, which is 1 over all, passes `u`; none: the smooth lobe.
+    /// What the cell has drawn in which the sum of shares, which is 1 over all, passes `u`; none:
+    /// the smooth lobe.
     pub(super) fn chosen(&self, recipe: &Recipe, u: R) -> Option<Facets<R>> {
         let (mut chosen, mut sum) = (None, R::ZERO);
         for (step, share) in self.levels() {
@@ -133,7 +134,8 @@ impl<R: Real> Cells<R> {
         let [area, level, turn, pair] = cell.words();
         let deviation = self.variation * normal_quantile(tail::<R>(level));
         let mean = self.facets + R::lit(f64::from(step));
-        // Rounded by chance, with bits that the turn leaves: numbers between powers of 4 have their share of both.
+        // Rounded by chance, with bits that the turn leaves: numbers between powers of 4 have their
+        // share of both.
         let rounding = R::lit(f64::from(turn & 0xff)) * R::power_of_two(-8);
         let level = (mean + deviation + rounding).floor().max(0).unsigned_abs();
         if level >= recipe.levels || tail::<R>(area) > self.share {
@@ -146,11 +148,13 @@ impl<R: Real> Cells<R> {
 
 /// $\tan(\pi u/4)/u$ in $u^2$, u from 0 to 1.
 ///
-/// Maximal relative error: 3.21e-6 (2^-18.25), at u = 0.6583. Fitted by `tests/golden/fit.py`, `fit_half_turn("half_turn", ...)`.
+/// Maximal relative error: 3.21e-6 (2^-18.25), at u = 0.6583. Fitted by `tests/golden/fit.py`,
+/// `fit_half_turn("half_turn", ...)`.
 const HALF_TURN: [f32; 5] =
     [0.785_400_6, 0.161_368_18, 0.040_797_774, 7.447_305e-3, 4.982_918_5e-3];
 
-/// Cosine and sine of a random angle from 0 to a quarter turn, as much as products of even marginals tell apart.
+/// Cosine and sine of a random angle from 0 to a quarter turn, as much as products of even
+/// marginals tell apart.
 ///
 /// By the tangent of half of it, so that their squares sum to 1 whatever that tangent's error.
 #[inline]

@@ -10,16 +10,18 @@ use super::recipe::Recipe;
 use crate::error::Error;
 use crate::scalar::Real;
 
-/// Marginal densities, even, of unit variance in their mean but for what is cut, on nested levels of 1, 2, 4, ... pairs of lobes.
+/// Marginal densities, even, of unit variance in their mean but for what is cut, on nested levels
+/// of 1, 2, 4, ... pairs of lobes.
 ///
-/// Level L of a marginal has the first $2^L$ of its lobes, $p_L(x) = \frac{1}{2 \cdot 2^L} \sum_k g(x - \mu_k) + g(x +
-/// \mu_k)$, cut at 4 deviations; what is stored are its nodes, with the integral of their linear interpolant, which is 1
-/// over the whole. Two marginals make a distribution of slopes ([`MultiLobe`](super::MultiLobe)).
+/// Level L of a marginal has the first $2^L$ of its lobes, $p_L(x) = \frac{1}{2 \cdot 2^L} \sum_k
+/// g(x - \mu_k) + g(x + \mu_k)$, cut at 4 deviations; what is stored are its nodes, with the
+/// integral of their linear interpolant, which is 1 over the whole. Two marginals make a
+/// distribution of slopes ([`MultiLobe`](super::MultiLobe)).
 ///
 /// Everything is deterministic: the same [`Recipe`] gives the same bits on any machine.
 ///
-/// Source: Chermain et al. 2020; 2021a, section 3. There the tables hold densities alone, of a whole with deviation
-/// $0.5/\sqrt 2$, in 16 bits.
+/// Source: Chermain et al. 2020; 2021a, section 3. There the tables hold densities alone, of a
+/// whole with deviation $0.5/\sqrt 2$, in 16 bits.
 ///
 /// ```
 /// use lobe::material::multilobe::{Dictionary, Recipe};
@@ -44,8 +46,8 @@ impl<R: Real> Dictionary<R> {
     /// Made by a recipe: by the default one in about half a second, on one core.
     ///
     /// # Errors
-    /// [`Error::Marginals`], [`Error::Levels`], [`Error::Intervals`], [`Error::LobeWidth`] outside the
-    /// ranges of [`Recipe`].
+    /// [`Error::Marginals`], [`Error::Levels`], [`Error::Intervals`], [`Error::LobeWidth`] outside
+    /// the ranges of [`Recipe`].
     pub fn new(recipe: &Recipe) -> Result<Self, Error> {
         recipe.check()?;
         let nodes = tables(recipe).into_iter().map(|node| node.map(R::lit)).collect();
@@ -62,7 +64,8 @@ impl<R: Real> Dictionary<R> {
         &self.recipe
     }
 
-    /// Density and cumulative, from 0 on, of every node: of marginal after marginal, level after level in each.
+    /// Density and cumulative, from 0 on, of every node: of marginal after marginal, level after
+    /// level in each.
     pub fn nodes(&self) -> &[[R; 2]] {
         &self.nodes
     }

@@ -37,15 +37,16 @@ pub(super) struct Rows<R> {
 pub(super) struct Row<R> {
     pub(super) first: i32,
     pub(super) last: i32,
-    /// Where the ellipse's middle is in it, one over the square of its half width there, and what is left of the squared
-    /// radius.
+    /// Where the ellipse's middle is in it, one over the square of its half width there, and what
+    /// is left of the squared radius.
     middle: R,
     scale: R,
     rest: R,
 }
 
 impl<R: Real> Ellipse<R> {
-    /// Of a patch: half axes as long as the derivatives' singular values, the smaller one at least an eighth.
+    /// Of a patch: half axes as long as the derivatives' singular values, the smaller one at least
+    /// an eighth.
     #[inline]
     pub(super) fn of(patch: &Patch<R>) -> Self {
         // NaN counts as 0, as in a grid of glints.
@@ -61,7 +62,8 @@ impl<R: Real> Ellipse<R> {
             let missing = (least - eigen.minor).sqrt();
             let [x, y] = eigen.axis.map(|c| c * missing);
             let [xx, xy, yy] = square.entries();
-            // The determinant's root by the ratio, not by a sum that small pixels have no digits for.
+            // The determinant's root by the ratio, not by a sum that small pixels have no digits
+            // for.
             let root_det = eigen.major / R::lit(f64::from(ELLIPSE_LIMIT));
             Psd::with_root_det([xx + y * y, xy - x * y, yy + x * x], root_det)
         } else {
@@ -116,7 +118,8 @@ impl<R: Real> Rows<R> {
 }
 
 impl<R: Real> Row<R> {
-    /// The weight of cell `s` of the row: a Gaussian of the distance, which ends with 0 at the ellipse.
+    /// The weight of cell `s` of the row: a Gaussian of the distance, which ends with 0 at the
+    /// ellipse.
     #[inline]
     pub(super) fn weight(&self, s: i32) -> R {
         let offset = R::lit(f64::from(s)) - self.middle;

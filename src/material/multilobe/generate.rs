@@ -13,7 +13,8 @@ use crate::scalar::{Internal, Real};
 /// Deviations that a table reaches to.
 pub(super) const REACH: f64 = 4.0;
 
-/// The normal distribution's share within those, erf(4/sqrt(2)): no lobe stands outside, where a table would have none.
+/// The normal distribution's share within those, erf(4/sqrt(2)): no lobe stands outside, where a
+/// table would have none.
 const INSIDE: f64 = 0.999_936_657_516_333_8;
 
 /// Deviations of a lobe beyond which it is left out: what is below 2e-8 of its peak.
@@ -45,7 +46,8 @@ pub(super) fn tables(recipe: &Recipe) -> Vec<[f64; 2]> {
     tables
 }
 
-/// Draws the mean of the `lobe`th pair of lobes of every marginal: its magnitude, as lobes come in pairs.
+/// Draws the mean of the `lobe`th pair of lobes of every marginal: its magnitude, as lobes come in
+/// pairs.
 fn draw(recipe: &Recipe, lobe: u32, strata: &mut [u32], means: &mut [f64]) {
     let deviation = match recipe.means {
         LobeMeans::Stratified => {
@@ -79,7 +81,8 @@ fn draw(recipe: &Recipe, lobe: u32, strata: &mut [u32], means: &mut [f64]) {
 /// Tells these random numbers from those of cells.
 const STREAM: u32 = 0x6c6f_6265;
 
-/// Places from one node to the next that a lobe's mean may have: of 64 intervals, steps of a 230th of a lobe's deviation.
+/// Places from one node to the next that a lobe's mean may have: of 64 intervals, steps of a 230th
+/// of a lobe's deviation.
 const PLACES: i32 = 256;
 
 /// A lobe at the nodes around its mean, for each of these places.
@@ -108,8 +111,8 @@ impl Curve {
         Self { scale: nodes * f64::from(PLACES), before, count, values: values.collect() }
     }
 
-    /// Adds $g(x - \mu) + g(x + \mu)$ at the nodes from 0 on, with $\mu \ge 0$: at each the first lobe, at it and at what
-    /// mirrors it.
+    /// Adds $g(x - \mu) + g(x + \mu)$ at the nodes from 0 on, with $\mu \ge 0$: at each the first
+    /// lobe, at it and at what mirrors it.
     fn add(&self, mean: f64, sums: &mut [f64]) {
         let place = Internal::floor(mean * self.scale + 0.5);
         let begin = self.count * (place % PLACES).unsigned_abs() as usize;
@@ -130,7 +133,8 @@ impl Curve {
     }
 }
 
-/// A sum of lobes as a density whose linear interpolant has an integral of 1/2 from 0 on, and that integral up to each node.
+/// A sum of lobes as a density whose linear interpolant has an integral of 1/2 from 0 on, and that
+/// integral up to each node.
 fn normalized(sums: &[f64], table: &mut [[f64; 2]]) {
     let step = REACH / (sums.len() - 1) as f64;
     let mut whole = 0.0;

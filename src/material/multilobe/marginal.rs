@@ -86,13 +86,16 @@ impl<'a, R: Real> Marginal<'a, R> {
         self.within(self.interval(place), place)
     }
 
-    /// The density's mean over a box around `x`, `width` wide: exact, whatever the width. A negative one counts as 0.
+    /// The density's mean over a box around `x`, `width` wide: exact, whatever the width. A
+    /// negative one counts as 0.
     ///
-    /// By the cumulative where the box has whole intervals; where it has none, by the density itself and how its slope changes at
-    /// a node, so that no difference of nearly equal numbers is divided by a small width. In f32, of 64 intervals, right to 4e-6
-    /// of 1 or of the mean, whichever is more; of 4096 to 2e-3.
+    /// By the cumulative where the box has whole intervals; where it has none, by the density
+    /// itself and how its slope changes at a node, so that no difference of nearly equal numbers is
+    /// divided by a small width. In f32, of 64 intervals, right to 4e-6 of 1 or of the mean,
+    /// whichever is more; of 4096 to 2e-3.
     ///
-    /// Source: in place of Chermain et al. 2021a, Eq. 19, whose hardware lookup is [`Marginal::mip_mean`].
+    /// Source: in place of Chermain et al. 2021a, Eq. 19, whose hardware lookup is
+    /// [`Marginal::mip_mean`].
     #[doc(alias = "lobe_marginal_mean")]
     #[inline]
     pub fn mean(&self, x: R, width: R) -> R {
@@ -128,14 +131,15 @@ impl<'a, R: Real> Marginal<'a, R> {
         (ends + inner) / whole
     }
 
-    /// What a trilinear lookup gives where the density is a texture of means over intervals, with mips, mirrored at its ends:
-    /// `derivative` is the larger one of `x` over the pixel, scaled.
+    /// What a trilinear lookup gives where the density is a texture of means over intervals, with
+    /// mips, mirrored at its ends: `derivative` is the larger one of `x` over the pixel, scaled.
     ///
-    /// Linear in nominal boxes of $2^m$ intervals, $m = \log_2$ of the derivative in intervals: about a box of 1.5 to
-    /// 1.75 derivatives. 0 for `x` beyond 4.
+    /// Linear in nominal boxes of $2^m$ intervals, $m = \log_2$ of the derivative in intervals:
+    /// about a box of 1.5 to 1.75 derivatives. 0 for `x` beyond 4.
     ///
-    /// Source: Chermain et al. 2021a, Eq. 19, by OpenGL's rules for textures. Mips are differences of the cumulative here,
-    /// and need no memory; as published, tables of nodes are read as if they were means, half an interval off.
+    /// Source: Chermain et al. 2021a, Eq. 19, by OpenGL's rules for textures. Mips are differences
+    /// of the cumulative here, and need no memory; as published, tables of nodes are read as if
+    /// they were means, half an interval off.
     ///
     /// ```
     /// use lobe::material::multilobe::{Dictionary, Recipe};
@@ -177,7 +181,8 @@ impl<'a, R: Real> Marginal<'a, R> {
         mean(first) + part * (mean(first + 1) - mean(first))
     }
 
-    /// The `x` below which a share `u` of the density lies, with u in [0, 1]: exact for the linear interpolant.
+    /// The `x` below which a share `u` of the density lies, with u in [0, 1]: exact for the linear
+    /// interpolant.
     #[doc(alias = "lobe_marginal_quantile")]
     pub fn quantile(&self, u: R) -> R {
         let (zero, one) = (R::ZERO, R::ONE);

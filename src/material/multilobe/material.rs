@@ -6,16 +6,19 @@ use crate::error::Error;
 use crate::scalar::Real;
 use crate::slope::Roughness;
 
-/// A surface of facets, each pixel of which has a density of slopes of its own: many narrow lobes, whose integral is 1.
+/// A surface of facets, each pixel of which has a density of slopes of its own: many narrow lobes,
+/// whose integral is 1.
 ///
-/// From afar it is the Beckmann lobe of its roughness. Where [`Glints`](crate::material::glint::Glints) draw how many
-/// details reflect at each half vector, so that one pixel's density integrates to 1 on average only, here every cell has
-/// a whole density, a rotated product of two marginals of a [`Dictionary`].
+/// From afar it is the Beckmann lobe of its roughness. Where
+/// [`Glints`](crate::material::glint::Glints) draw how many details reflect at each half vector, so
+/// that one pixel's density integrates to 1 on average only, here every cell has a whole density, a
+/// rotated product of two marginals of a [`Dictionary`].
 ///
-/// Source: Chermain et al. 2020, 2021a. A dictionary of [`LobeMeans::Chermain`](super::LobeMeans::Chermain) and
-/// [`PatchNdf::with_mips`] are as published. Ours are: singular values in place of the derivatives' lengths, and aspects up to
-/// 8, where they have 4; levels rounded by chance; the smaller masking in place of the product; no cell smaller than
-/// one facet's square; tables read at their nodes.
+/// Source: Chermain et al. 2020, 2021a. A dictionary of
+/// [`LobeMeans::Chermain`](super::LobeMeans::Chermain) and [`PatchNdf::with_mips`] are as
+/// published. Ours are: singular values in place of the derivatives' lengths, and aspects up to 8,
+/// where they have 4; levels rounded by chance; the smaller masking in place of the product; no
+/// cell smaller than one facet's square; tables read at their nodes.
 ///
 /// ```
 /// use lobe::Roughness;
@@ -38,12 +41,14 @@ pub struct MultiLobe<R> {
 }
 
 impl<R: Real> MultiLobe<R> {
-    /// From the roughness from afar and the number of facets per unit area of the texture, in the median of its cells:
-    /// published are logarithms of it, from $e^{15}$, which glitters, to $e^{50}$, smooth.
+    /// From the roughness from afar and the number of facets per unit area of the texture, in the
+    /// median of its cells: published are logarithms of it, from $e^{15}$, which glitters, to
+    /// $e^{50}$, smooth.
     ///
-    /// Cells have more or fewer by powers of 4 ([`MultiLobe::with_variation`]), at least one each. Their mean is therefore more
-    /// than this median: of many facets, with a deviation of 2, 55 times that. Deviations of the lobe below 1e-9, also across a correlation
-    /// near $\pm 1$, count as 1e-9; a mirror has no density until a kernel widens it.
+    /// Cells have more or fewer by powers of 4 ([`MultiLobe::with_variation`]), at least one each.
+    /// Their mean is therefore more than this median: of many facets, with a deviation of 2, 55
+    /// times that. Deviations of the lobe below 1e-9, also across a correlation near $\pm 1$, count
+    /// as 1e-9; a mirror has no density until a kernel widens it.
     ///
     /// # Errors
     /// [`Error::Facets`] unless in $[10^{-18}, 10^{30}]$.
@@ -55,7 +60,8 @@ impl<R: Real> MultiLobe<R> {
         Ok(Self { roughness, density, variation: R::TWO, share: R::ONE, seed: 0 })
     }
 
-    /// With levels that vary from cell to cell with this deviation, so numbers of facets by powers of 4: 2 by default.
+    /// With levels that vary from cell to cell with this deviation, so numbers of facets by powers
+    /// of 4: 2 by default.
     ///
     /// # Errors
     /// [`Error::Variation`] outside [0, 4].
@@ -90,7 +96,8 @@ impl<R: Real> MultiLobe<R> {
         self.roughness
     }
 
-    /// Side of the square that has one facet at this density: smaller pixels show what one of this size does.
+    /// Side of the square that has one facet at this density: smaller pixels show what one of this
+    /// size does.
     #[doc(alias = "lobe_multi_lobe_facet_size")]
     pub fn facet_size(&self) -> R {
         R::ONE / self.density.sqrt()

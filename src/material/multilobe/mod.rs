@@ -1,14 +1,17 @@
-//! Many lobes in one pixel: densities of slopes from a dictionary, each with an integral of 1 (feature `glint`).
+//! Many lobes in one pixel: densities of slopes from a dictionary, each with an integral of 1
+//! (feature `glint`).
 //!
-//! A [`Dictionary`] of even marginals is made once, by a [`Recipe`]. A [`MultiLobe`] surface has them on the cells of nested
-//! levels; a pixel sees a mixture of those that it covers ([`PatchNdf`]), filtered by its kernel
-//! without leaving the tables ([`Marginal::mean`]). As every density is even, V-cavities mask it exactly, and as every
-//! marginal has a cumulative, it can be sampled.
+//! A [`Dictionary`] of even marginals is made once, by a [`Recipe`]. A [`MultiLobe`] surface has
+//! them on the cells of nested levels; a pixel sees a mixture of those that it covers
+//! ([`PatchNdf`]), filtered by its kernel without leaving the tables ([`Marginal::mean`]). As every
+//! density is even, V-cavities mask it exactly, and as every marginal has a cumulative, it can be
+//! sampled.
 //!
-//! Source: Chermain, Sauvage, Dischler & Dachsbacher 2020, "Procedural Physically-based BRDF for Real-Time Rendering of
-//! Glints"; Chermain, Lucas, Sauvage, Dischler & Dachsbacher 2021a, "Real-Time Geometric Glint Anti-Aliasing with Normal Map
-//! Filtering"; Chermain, Sauvage, Dischler & Dachsbacher 2021b, "Importance Sampling of Glittering BSDFs based on Finite
-//! Mixture Distributions".
+//! Source: Chermain, Sauvage, Dischler & Dachsbacher 2020, "Procedural Physically-based BRDF for
+//! Real-Time Rendering of Glints"; Chermain, Lucas, Sauvage, Dischler & Dachsbacher 2021a,
+//! "Real-Time Geometric Glint Anti-Aliasing with Normal Map Filtering"; Chermain, Sauvage, Dischler
+//! & Dachsbacher 2021b, "Importance Sampling of Glittering BSDFs based on Finite Mixture
+//! Distributions".
 
 mod bytes;
 mod cells;

@@ -16,26 +16,32 @@ use crate::slope::{Anisotropic, Footprint, LobeShape, MeanFrame, Roughness, Slop
 
 /// A pixel of a surface of many facets, for any number of lights.
 ///
-/// $P_{22}(s) = \sum_l w_l \sum_c W_c P_c(s)$. Two levels of cells are blended, as in a mip chain; cells of the finer one are
-/// no wider than the pixel's shorter axis, or than one facet's square where that is more. Cells of a level count by $W
-/// \propto e^{-2r^2} - e^{-2}$, where r is 1 on an ellipse whose half axes are the derivatives' singular values, grown by a
-/// cell. Each has a density of its own, $P_c(s) = p_i(x)\, p_j(y)/|\det M|$ at $(x, y) = R^{-1} M^{-1} s$, with Chermain's
-/// matrix M ([`Roughness::chermain_matrix`] of $\sigma_o = 1$) and a rotation R, marginals i and j and their level from its
-/// random numbers: $4^{L + 1}$ lobes for $4^L$ facets, and beyond the dictionary's last level the Gaussian that all tend to. A
-/// coarse cell has the numbers of the finer cell at its lower left corner, and four times the facets, so that glints stay
-/// where they are.
+/// $P_{22}(s) = \sum_l w_l \sum_c W_c P_c(s)$. Two levels of cells are blended, as in a mip chain;
+/// cells of the finer one are no wider than the pixel's shorter axis, or than one facet's square
+/// where that is more. Cells of a level count by $W \propto e^{-2r^2} - e^{-2}$, where r is 1 on an
+/// ellipse whose half axes are the derivatives' singular values, grown by a cell. Each has a
+/// density of its own, $P_c(s) = p_i(x)\, p_j(y)/|\det M|$ at $(x, y) = R^{-1} M^{-1} s$, with
+/// Chermain's matrix M ([`Roughness::chermain_matrix`] of $\sigma_o = 1$) and a rotation R,
+/// marginals i and j and their level from its random numbers: $4^{L + 1}$ lobes for $4^L$ facets,
+/// and beyond the dictionary's last level the Gaussian that all tend to. A coarse cell has the
+/// numbers of the finer cell at its lower left corner, and four times the facets, so that glints
+/// stay where they are.
 ///
-/// The integral is 1 in every pixel; tables end at 4 deviations along each axis of a cell. The mean over pixels is the
-/// smooth lobe within 2 % up to two deviations (tests/laws/multilobe_mean.rs); beyond three, where cells have few facets, it
-/// is less, as 192 lobes on an axis seldom reach that far. As a pixel grows, the variance of its density over the surface
-/// halves with every doubling of its width. It does not fall evenly: a blend of two levels varies less than either, so that
-/// halfway between them it is lower than at the next level, by 19 % (tests/laws/multilobe_scales.rs).
+/// The integral is 1 in every pixel; tables end at 4 deviations along each axis of a cell. The mean
+/// over pixels is the smooth lobe within 2 % up to two deviations (tests/laws/multilobe_mean.rs);
+/// beyond three, where cells have few facets, it is less, as 192 lobes on an axis seldom reach that
+/// far. As a pixel grows, the variance of its density over the surface halves with every doubling
+/// of its width. It does not fall evenly: a blend of two levels varies less than either, so that
+/// halfway between them it is lower than at the next level, by 19 %
+/// (tests/laws/multilobe_scales.rs).
 ///
-/// Everything is continuous in the pixel, its kernel, the normal map and the roughness. Not so in density, variation and
-/// share, with which single cells change at once: they belong to a surface, and no texture should hold them.
+/// Everything is continuous in the pixel, its kernel, the normal map and the roughness. Not so in
+/// density, variation and share, with which single cells change at once: they belong to a surface,
+/// and no texture should hold them.
 ///
-/// Masking is that of V-cavities, exact for it ([`cavity_masking`]). Directions in the shading frame: its normal is the mean
-/// of the slopes, as no masking of cavities with another mean is known.
+/// Masking is that of V-cavities, exact for it ([`cavity_masking`]). Directions in the shading
+/// frame: its normal is the mean of the slopes, as no masking of cavities with another mean is
+/// known.
 ///
 /// Source: Chermain et al. 2020; 2021a, Eq. 3 to 6, 10, 15 and 18.
 #[doc(alias = "LobePatchNdf")]
@@ -52,9 +58,10 @@ pub struct PatchNdf<'a, R> {
 impl<R: Real> MultiLobe<R> {
     /// What a pixel sees of it.
     ///
-    /// Cells are no smaller than $2^{-20}$ of the distance of `uv` from the tile's corner, in f64 $2^{-28}$: far from the origin
-    /// facets of plain coordinates get larger and fade ([`Patch::new`] says where). Coordinates of large surfaces belong into
-    /// [`Patch::in_tile`]. NaN counts as 0, and numbers beyond $10^9$ as that.
+    /// Cells are no smaller than $2^{-20}$ of the distance of `uv` from the tile's corner, in f64
+    /// $2^{-28}$: far from the origin facets of plain coordinates get larger and fade
+    /// ([`Patch::new`] says where). Coordinates of large surfaces belong into [`Patch::in_tile`].
+    /// NaN counts as 0, and numbers beyond $10^9$ as that.
     #[doc(alias = "lobe_multi_lobe_ndf")]
     #[inline]
     pub fn ndf<'a>(&self, dictionary: &'a Dictionary<R>, patch: &Patch<R>) -> PatchNdf<'a, R> {
@@ -78,11 +85,11 @@ impl<'a, R: Real> PatchNdf<'a, R> {
         self.cells.coarser
     }
 
-    /// Over a patch of a normal map: its covariance, seen from its mean, is added to the roughness, $\Sigma + J
-    /// \Sigma_{map} J^T$ ([`MeanFrame::moments`]).
+    /// Over a patch of a normal map: its covariance, seen from its mean, is added to the roughness,
+    /// $\Sigma + J \Sigma_{map} J^T$ ([`MeanFrame::moments`]).
     ///
-    /// The map's mean is the normal of the frame in which all directions are given from here on: [`MeanFrame::of`] it
-    /// takes them there. Moments with mean 0 change no frame.
+    /// The map's mean is the normal of the frame in which all directions are given from here on:
+    /// [`MeanFrame::of`] it takes them there. Moments with mean 0 change no frame.
     ///
     /// Source: Chermain et al. 2021a, section 5, who leave J out.
     #[doc(alias = "lobe_patch_ndf_over")]
@@ -94,20 +101,23 @@ impl<'a, R: Real> PatchNdf<'a, R> {
         Self { roughness, ..*self }
     }
 
-    /// Under the pixel's kernel, the half vector's spread over the pixel: every cell's density is averaged over it.
+    /// Under the pixel's kernel, the half vector's spread over the pixel: every cell's density is
+    /// averaged over it.
     ///
-    /// The kernel is taken as a rectangle of its covariance, cut along its long side into pieces of 1.5 deviations of the lobe, or
-    /// of its width where that is more. Over each piece both marginals are averaged over boxes that have the piece's variance
-    /// along them. Their means are exact; the covariance of a piece along a cell's axes is dropped. In the mean over rotations that
-    /// takes at most 4.7 % of the lobe's own variance from one axis to the other, and of a kernel wider than 1.5 deviations up
-    /// to a tenth of its own. A lobe counts as no narrower than a thousandth of the kernel's deviation.
+    /// The kernel is taken as a rectangle of its covariance, cut along its long side into pieces of
+    /// 1.5 deviations of the lobe, or of its width where that is more. Over each piece both
+    /// marginals are averaged over boxes that have the piece's variance along them. Their means are
+    /// exact; the covariance of a piece along a cell's axes is dropped. In the mean over rotations
+    /// that takes at most 4.7 % of the lobe's own variance from one axis to the other, and of a
+    /// kernel wider than 1.5 deviations up to a tenth of its own. A lobe counts as no narrower than
+    /// a thousandth of the kernel's deviation.
     ///
-    /// Cells beyond the last level have the Gaussian of the same covariance instead, as [`PatchNdf::smooth`]. Under a square
-    /// kernel of the lobe's deviation its peak is 14 % higher than a box's, and $6/\pi$ times as high where the lobe is nothing
-    /// against the kernel.
+    /// Cells beyond the last level have the Gaussian of the same covariance instead, as
+    /// [`PatchNdf::smooth`]. Under a square kernel of the lobe's deviation its peak is 14 % higher
+    /// than a box's, and $6/\pi$ times as high where the lobe is nothing against the kernel.
     ///
-    /// Half vectors on the disk: [`DiskKernel::as_slopes`](crate::filter::DiskKernel::as_slopes), as Chermain et al. 2021a,
-    /// Eq. 21; slopes: Eq. 20.
+    /// Half vectors on the disk: [`DiskKernel::as_slopes`](crate::filter::DiskKernel::as_slopes),
+    /// as Chermain et al. 2021a, Eq. 21; slopes: Eq. 20.
     #[doc(alias = "lobe_patch_ndf_widened")]
     #[must_use]
     #[inline]
@@ -115,8 +125,9 @@ impl<'a, R: Real> PatchNdf<'a, R> {
         Self { kernel: self.kernel + *kernel, ..*self }
     }
 
-    /// Under the published filter of the same purpose: lookups in mips by the half vector's derivatives times `scale`,
-    /// $s_K$; they take the place of kernels, which count no more, whether given before or after.
+    /// Under the published filter of the same purpose: lookups in mips by the half vector's
+    /// derivatives times `scale`, $s_K$; they take the place of kernels, which count no more,
+    /// whether given before or after.
     ///
     /// As published, the last level, which has no table, is not filtered.
     ///

@@ -6,19 +6,21 @@ use crate::scalar::{Psd, Real};
 
 /// Longest piece, in deviations of the lobe, or the kernel's width where that is more.
 ///
-/// Two boxes with a long box's variances along axes at 45 degrees to it make a square: in the mean over turns a quarter of
-/// its elongation goes across. Of a piece as long as this that is 4.7 % of the lobe's own variance at most.
+/// Two boxes with a long box's variances along axes at 45 degrees to it make a square: in the mean
+/// over turns a quarter of its elongation goes across. Of a piece as long as this that is 4.7 % of
+/// the lobe's own variance at most.
 const LONGEST: f64 = 1.5;
 
-/// How far from the middle a piece's center may be to meet a table, turned by anything: half its diagonal, $4 \sqrt 2$, and
-/// that of a piece.
+/// How far from the middle a piece's center may be to meet a table, turned by anything: half its
+/// diagonal, $4 \sqrt 2$, and that of a piece.
 const REACH: f64 = 5.657;
 const HALF_DIAGONAL: f64 = 0.7072;
 
 /// Bound of the loop over pieces: ten of them meet a table at most, by the two numbers above.
 const MOST: i32 = 12;
 
-/// A kernel in deviations: a rectangle of its covariance, cut along its long side, the middle piece around the middle.
+/// A kernel in deviations: a rectangle of its covariance, cut along its long side, the middle piece
+/// around the middle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pieces<R> {
     /// Of the long side.
@@ -53,13 +55,14 @@ impl<R: Real> Pieces<R> {
         let side = |variance: R| (R::lit(12.0) * variance).sqrt();
         let (along, across) = (side(eigen.major), side(eigen.minor));
         let longest = across.max(R::lit(LONGEST));
-        // The last one begins before the end. A kernel no longer than a piece is one, and has none beside it.
+        // The last one begins before the end. A kernel no longer than a piece is one, and has none
+        // beside it.
         let last = if along > longest { (R::HALF * along / longest + R::HALF).floor() } else { 0 };
         Self { axis: eigen.axis, along, across, longest, first: -last, last }
     }
 
-    /// The same one of two opposite points, whichever is given: their densities are equal, but sums over pieces, in order, would
-    /// round differently.
+    /// The same one of two opposite points, whichever is given: their densities are equal, but sums
+    /// over pieces, in order, would round differently.
     #[inline]
     pub(super) fn folded(&self, [x, y]: [R; 2]) -> [R; 2] {
         let along = self.axis[0] * x + self.axis[1] * y;

@@ -21,8 +21,8 @@ pub(super) struct Plane<R> {
     mips: Option<[[R; 2]; 2]>,
 }
 
-/// A lobe counts as no narrower than this share of its kernel's deviation, a power of two: a thousandth of it no pixel shows,
-/// and f32 can still count the pieces.
+/// A lobe counts as no narrower than this share of its kernel's deviation, a power of two: a
+/// thousandth of it no pixel shows, and f32 can still count the pieces.
 const SHARE: i32 = -10;
 
 /// Deviations below this count as this.
@@ -67,7 +67,8 @@ impl<R: Real> Plane<R> {
         &self.pieces
     }
 
-    /// The same around a slope, and that in deviations, or the one opposite, where the density is the same.
+    /// The same around a slope, and that in deviations, or the one opposite, where the density is
+    /// the same.
     #[inline]
     pub(super) fn around(&self, slope: [R; 2]) -> (Self, [R; 2]) {
         let point = self.pieces.folded(deviations(self.mapping, slope));

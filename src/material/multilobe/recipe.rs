@@ -7,20 +7,23 @@ use crate::error::Error;
 /// Where the lobes of a dictionary's marginals stand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum LobeMeans {
-    /// One in each of as many equal parts of the normal distribution as there are marginals, with what variance the lobes
-    /// leave of 1: the dictionary's mean is the smooth lobe, as nearly as its number of marginals allows.
+    /// One in each of as many equal parts of the normal distribution as there are marginals, with
+    /// what variance the lobes leave of 1: the dictionary's mean is the smooth lobe, as nearly as
+    /// its number of marginals allows.
     #[default]
     Stratified,
-    /// Independent draws of variance 1, as published (Chermain et al. 2020): the dictionary is wider than its smooth lobe by the
-    /// variance of one lobe, and its mean differs from it by sampling noise.
+    /// Independent draws of variance 1, as published (Chermain et al. 2020): the dictionary is
+    /// wider than its smooth lobe by the variance of one lobe, and its mean differs from it by
+    /// sampling noise.
     Chermain,
 }
 
 /// How a [`Dictionary`](super::Dictionary) is made: sizes, lobes, seed.
 ///
-/// Time grows with the pairs of lobes, marginals times $2^{levels - 1}$, and with the nodes that one covers, 3 + 3 width
-/// intervals: half a second on one core for the default's six million pairs of 14 nodes, days at the ends of all ranges. While it
-/// is made, a node takes 16 bytes beside its own 8 or 16; if that cannot be allocated, the process aborts.
+/// Time grows with the pairs of lobes, marginals times $2^{levels - 1}$, and with the nodes that
+/// one covers, 3 + 3 width intervals: half a second on one core for the default's six million pairs
+/// of 14 nodes, days at the ends of all ranges. While it is made, a node takes 16 bytes beside its
+/// own 8 or 16; if that cannot be allocated, the process aborts.
 ///
 /// ```
 /// use lobe::material::multilobe::{Dictionary, Recipe};
@@ -36,7 +39,8 @@ pub struct Recipe {
     pub levels: u32,
     /// Intervals of a marginal's table, from 0 to 4 deviations: a power of two from 8 to 4096.
     pub intervals: u32,
-    /// Deviation of one lobe over that of the whole: from half an interval, $2/$ `intervals`, to 0.5.
+    /// Deviation of one lobe over that of the whole: from half an interval, $2/$ `intervals`, to
+    /// 0.5.
     pub width: f64,
     /// Where lobes stand.
     pub means: LobeMeans,
@@ -45,8 +49,8 @@ pub struct Recipe {
 }
 
 impl Default for Recipe {
-    /// Of the paper: 192 marginals, 16 levels, 64 intervals; lobes of deviation 0.02 where the whole has
-    /// $0.5/\sqrt 2$.
+    /// Of the paper: 192 marginals, 16 levels, 64 intervals; lobes of deviation 0.02 where the
+    /// whole has $0.5/\sqrt 2$.
     fn default() -> Self {
         Self {
             marginals: 192,
@@ -63,7 +67,8 @@ impl Recipe {
     /// The number of nodes that all tables have.
     pub(super) fn nodes(&self) -> usize {
         let product = u64::from(self.marginals) * u64::from(self.levels);
-        // At most 65536 * 20 * 4097, below 2^33: no more than memory has on any machine that could hold it.
+        // At most 65536 * 20 * 4097, below 2^33: no more than memory has on any machine that could
+        // hold it.
         usize::try_from(product * (u64::from(self.intervals) + 1)).unwrap_or(usize::MAX)
     }
 

@@ -17,17 +17,19 @@ pub struct DirectionSample<R> {
     pub wi: [R; 3],
     /// Its density over solid angle.
     pub pdf: R,
-    /// BRDF without Fresnel times cosine over the density, $G_2/G_1 \le 1$; 0 where nothing is reflected.
+    /// BRDF without Fresnel times cosine over the density, $G_2/G_1 \le 1$; 0 where nothing is
+    /// reflected.
     pub weight: R,
 }
 
 impl<R: Real> PatchNdf<'_, R> {
     /// A direction towards the light, drawn by the facets that `wo` sees.
     ///
-    /// `u` are independent uniform numbers in [0, 1): the cell; two for its marginals; two within their boxes; the piece of
-    /// the kernel; a facet or its mirror. The slope is one of the density exactly, by the inverse of the cumulative; of a
-    /// facet and the one opposite one is taken, in proportion to how much is seen of it. None if `wo` lies below the horizon,
-    /// and for NaN. Of a mirror, which has no density, the pdf is 0.
+    /// `u` are independent uniform numbers in [0, 1): the cell; two for its marginals; two within
+    /// their boxes; the piece of the kernel; a facet or its mirror. The slope is one of the density
+    /// exactly, by the inverse of the cumulative; of a facet and the one opposite one is taken, in
+    /// proportion to how much is seen of it. None if `wo` lies below the horizon, and for NaN. Of a
+    /// mirror, which has no density, the pdf is 0.
     ///
     /// Under kernels, but without the lookups of [`PatchNdf::with_mips`], which are no density's.
     ///
@@ -68,8 +70,9 @@ impl<R: Real> PatchNdf<'_, R> {
         Some(DirectionSample { wi, pdf: self.pdf(wo, wi), weight })
     }
 
-    /// Density over solid angle with which [`PatchNdf::sample`] draws `wi`: $G_1(w_o, h) D(h)/(4 o_z)$, 0 for `wo` below the
-    /// horizon. Over all `wi`, those below the horizon included, its integral is 1.
+    /// Density over solid angle with which [`PatchNdf::sample`] draws `wi`: $G_1(w_o, h) D(h)/(4
+    /// o_z)$, 0 for `wo` below the horizon. Over all `wi`, those below the horizon included, its
+    /// integral is 1.
     #[doc(alias = "lobe_patch_ndf_pdf")]
     pub fn pdf(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> R {
         let (wo, wi) = (wo.into(), wi.into());

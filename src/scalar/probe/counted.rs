@@ -1,6 +1,7 @@
 //! A number that counts what is done with it: what a formula costs, whatever the machine.
 //!
-//! Layer 0, feature `probe`. An f32 in all its results; every operation is noted for the thread that does it.
+//! Layer 0, feature `probe`. An f32 in all its results; every operation is noted for the thread
+//! that does it.
 
 use crate::scalar::{Internal, Real};
 use core::cell::Cell;
@@ -10,8 +11,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// How often each kind of operation was done.
 ///
-/// Signs, halves of a significand and constants are free. A transcendental function counts as one, whatever its
-/// polynomial. Comparisons include those of minima, maxima and selects.
+/// Signs, halves of a significand and constants are free. A transcendental function counts as one,
+/// whatever its polynomial. Comparisons include those of minima, maxima and selects.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Operations {
     /// Additions and subtractions.

@@ -1,6 +1,7 @@
 //! An f32 as a GPU computes it that contracts: every product that is added is fused.
 //!
-//! Layer 0, feature `probe`. One such machine of many, and the extreme: whatever a compiler may fuse, it fuses.
+//! Layer 0, feature `probe`. One such machine of many, and the extreme: whatever a compiler may
+//! fuse, it fuses.
 
 use crate::scalar::single::Single;
 use crate::scalar::{Internal, Real, atan, erfc, exp, ln};
@@ -10,12 +11,13 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An f32 that remembers the factors of the product it just came from.
 ///
-/// A product is rounded where it is used as it is. In a sum or difference its factors go into one fused
-/// multiply-add instead, which rounds once: $a b + c$, $c - a b$. Of two products the left one is fused, the
-/// right one was rounded. A sign passes through, and so does a choice between two numbers, as through a
-/// compiler's eyes; everything else leaves a plain number: quotients, roots, absolute values, minima and maxima,
-/// literals, results of elementary functions (which fuse within their polynomials), and what is kept with
-/// `Internal::kept`. Comparisons see the rounded product. Sine and cosine are those of f32.
+/// A product is rounded where it is used as it is. In a sum or difference its factors go into one
+/// fused multiply-add instead, which rounds once: $a b + c$, $c - a b$. Of two products the left
+/// one is fused, the right one was rounded. A sign passes through, and so does a choice between two
+/// numbers, as through a compiler's eyes; everything else leaves a plain number: quotients, roots,
+/// absolute values, minima and maxima, literals, results of elementary functions (which fuse within
+/// their polynomials), and what is kept with `Internal::kept`. Comparisons see the rounded product.
+/// Sine and cosine are those of f32.
 ///
 /// ```
 /// use lobe::probe::Fused;

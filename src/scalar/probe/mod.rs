@@ -1,7 +1,8 @@
-//! Precisions that measure: operations, contraction, rounding. For reports and checks, not for shading.
+//! Precisions that measure: operations, contraction, rounding. For reports and checks, not for
+//! shading.
 //!
-//! Layer 0, feature `probe`. Three further types of the trait [`Real`](crate::Real), each an f32 in disguise, so
-//! that every function of this crate runs on them as it stands:
+//! Layer 0, feature `probe`. Three further types of the trait [`Real`](crate::Real), each an f32 in
+//! disguise, so that every function of this crate runs on them as it stands:
 //!
 //! | | answers |
 //! |---|---|
@@ -9,7 +10,8 @@
 //! | [`Fused`] | what would a GPU compute that fuses every product into the sum after it? |
 //! | [`Rounded`] | how much of this value may be rounding? |
 //!
-//! The last two judge one formula on two machines: two results of it differ by at most twice the bound.
+//! The last two judge one formula on two machines: two results of it differ by at most twice the
+//! bound.
 //!
 //! ```
 //! use lobe::probe::{Fused, Rounded};

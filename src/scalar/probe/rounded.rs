@@ -18,17 +18,18 @@ const TURN: f64 = core::f64::consts::TAU / UNIT;
 
 /// An f32, bit for bit, and how far rounding may have moved it.
 ///
-/// The bound is what rounding every operation by at most $2^{-24}$, relative, could have done to the value, and
-/// flushing every subnormal result to zero: f32 lies within it of the same formula without rounding, and so does
-/// f32 in another order of contraction ([`Fused`](super::Fused)) or with other correctly rounded functions. Two
-/// such results differ by at most twice the bound. Elementary functions add the errors that they state.
+/// The bound is what rounding every operation by at most $2^{-24}$, relative, could have done to
+/// the value, and flushing every subnormal result to zero: f32 lies within it of the same formula
+/// without rounding, and so does f32 in another order of contraction ([`Fused`](super::Fused)) or
+/// with other correctly rounded functions. Two such results differ by at most twice the bound.
+/// Elementary functions add the errors that they state.
 ///
-/// To first order in the results that follow, and more where that would not be enough: divisors and roots that may
-/// be zero. A bound that is no number is infinite. Of a branch it knows only the side that was taken, of a minimum
-/// or maximum both where they are near.
+/// To first order in the results that follow, and more where that would not be enough: divisors and
+/// roots that may be zero. A bound that is no number is infinite. Of a branch it knows only the
+/// side that was taken, of a minimum or maximum both where they are near.
 ///
-/// Exact sums and products (`scalar::exact`), whose parts are kept, cost nothing: the pair has the errors of the
-/// operands only. The cut of `Internal::upper_half` is deliberate, and adds nothing.
+/// Exact sums and products (`scalar::exact`), whose parts are kept, cost nothing: the pair has the
+/// errors of the operands only. The cut of `Internal::upper_half` is deliberate, and adds nothing.
 ///
 /// ```
 /// use lobe::probe::Rounded;
@@ -67,7 +68,8 @@ impl Rounded {
         self.value
     }
 
-    /// How far rounding may have moved the number: absolute, not negative, infinity where nothing is known.
+    /// How far rounding may have moved the number: absolute, not negative, infinity where nothing
+    /// is known.
     ///
     /// ```
     /// use lobe::Real;
@@ -95,7 +97,8 @@ impl Rounded {
         Self { value, carried, own }
     }
 
-    /// The same, of a product, quotient or function: a 0 that is not `exact` was too small for a number.
+    /// The same, of a product, quotient or function: a 0 that is not `exact` was too small for a
+    /// number.
     fn scaled(value: f32, times: f64, carried: f64, exact: bool) -> Self {
         let lost = if value == 0.0 && !exact { FLUSHED } else { 0.0 };
         Self::result(value, times, carried + lost)
@@ -115,7 +118,8 @@ impl Rounded {
         ((y.abs() * x_error + x.abs() * y_error) / (x * x + y * y) / UNIT).min(TURN)
     }
 
-    /// One of two numbers that was chosen by comparing them: where they are near, it may be the other.
+    /// One of two numbers that was chosen by comparing them: where they are near, it may be the
+    /// other.
     fn chosen(self, rejected: Self) -> Self {
         let distance = (f64::from(self.value) - f64::from(rejected.value)).abs();
         if distance <= self.bound() + rejected.bound() && rejected.units() > self.units() {
@@ -253,7 +257,8 @@ impl Real for Rounded {
         let (sin, cos) = Real::sin_cos(self.value);
         (Self::result(sin, 1.0, self.units()), Self::result(cos, 1.0, self.units()))
     }
-    // Errors of elementary functions, in units: twice the ulps that the polynomials state, rounded up.
+    // Errors of elementary functions, in units: twice the ulps that the polynomials state, rounded
+    // up.
     fn exp(self) -> Self {
         let (x, error) = self.parts();
         // e^(x + error) - e^x.

@@ -38,11 +38,14 @@ fn lobe_beckmann_unit_mean(slope: f32, width: f32, alpha: f32) -> f32 {
     if half.x * (1.0 + 2.0 * midpoint.x) <= 0.5 {
         let nodes = LOBE_GAUSS_FOUR;
         let relative = lobe_gauss_mean(vec4f(
-            lobe_beckmann_relative(half.x, midpoint.x, nodes.x), lobe_beckmann_relative(half.x, midpoint.x, nodes.y),
-            lobe_beckmann_relative(half.x, midpoint.x, nodes.z), lobe_beckmann_relative(half.x, midpoint.x, nodes.w)
+            lobe_beckmann_relative(half.x, midpoint.x, nodes.x),
+            lobe_beckmann_relative(half.x, midpoint.x, nodes.y),
+            lobe_beckmann_relative(half.x, midpoint.x, nodes.z),
+            lobe_beckmann_relative(half.x, midpoint.x, nodes.w)
         ));
         // 1/sqrt(pi).
-        return 0.5641895835477563 * lobe_beckmann_exp_minus_square(midpoint.x, midpoint.y) * relative;
+        return 0.5641895835477563 * lobe_beckmann_exp_minus_square(midpoint.x, midpoint.y)
+            * relative;
     }
     let far = midpoint.x + half.x;
     let end = lobe_two_sum(midpoint.x, -half.x);
@@ -50,7 +53,8 @@ fn lobe_beckmann_unit_mean(slope: f32, width: f32, alpha: f32) -> f32 {
     var mass = 0.0;
     if near.x >= 0.0 {
         let between = lobe_exp(-(4.0 * half.x * midpoint.x));
-        mass = lobe_beckmann_exp_minus_square(near.x, near.y) * (lobe_erfcx(near.x) - lobe_erfcx(far) * between);
+        mass = lobe_beckmann_exp_minus_square(near.x, near.y)
+            * (lobe_erfcx(near.x) - lobe_erfcx(far) * between);
     } else {
         mass = 2.0 - lobe_erfc(-near.x) - lobe_erfc(far);
     }
@@ -59,7 +63,8 @@ fn lobe_beckmann_unit_mean(slope: f32, width: f32, alpha: f32) -> f32 {
 
 // Rust: `beckmann_rectangle_mean`. 0 for NaN and for infinite slopes.
 fn lobe_beckmann_rectangle_mean(alphas: vec2f, slope: vec2f, widths: vec2f) -> f32 {
-    let known = lobe_is_finite(slope.x) && lobe_is_finite(slope.y) && lobe_is_number(widths.x) && lobe_is_number(widths.y);
+    let known = lobe_is_finite(slope.x) && lobe_is_finite(slope.y) && lobe_is_number(widths.x)
+        && lobe_is_number(widths.y);
     if !known {
         return 0.0;
     }

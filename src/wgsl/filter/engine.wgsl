@@ -15,7 +15,8 @@ const LOBE_ENGINE_BABYLON_JS: u32 = 5u;
 // Rust: `Engine::BevyProposal`.
 const LOBE_ENGINE_BEVY_PROPOSAL: u32 = 6u;
 
-// Rust: `Engine::alpha`. Alpha beyond [0, 1e9] counts as the nearest, NaN as 0; so does an engine beyond the last.
+// Rust: `Engine::alpha`. Alpha beyond [0, 1e9] counts as the nearest, NaN as 0; so does an engine
+// beyond the last.
 fn lobe_engine_alpha(engine: u32, alpha: f32, dn_u: vec3f, dn_v: vec3f) -> f32 {
     let a = lobe_magnitude(alpha);
     let u = lobe_dot(dn_u, dn_u);

@@ -10,7 +10,8 @@ fn lobe_lobe_widened(lobe: LobeLobe, kernel: LobeKernel) -> LobeLobe {
     return LobeLobe(lobe.mean, lobe_roughness_widened(lobe.roughness, kernel));
 }
 
-// WGSL only: the forms and determinants of `ggx_gaussian_mean`, which has them as a closure's captures.
+// WGSL only: the forms and determinants of `ggx_gaussian_mean`, which has them as a closure's
+// captures.
 struct LobeGaussianTerms {
     base_form: f32,
     added_form: f32,
@@ -21,7 +22,8 @@ struct LobeGaussianTerms {
 
 // WGSL only: Rust has it as a closure.
 fn lobe_gaussian_exponent(terms: LobeGaussianTerms, t: f32) -> f32 {
-    return (terms.base_form / t + terms.added_form) / ((terms.base_det / t + terms.mixed) / t + terms.added_det);
+    return (terms.base_form / t + terms.added_form)
+        / ((terms.base_det / t + terms.mixed) / t + terms.added_det);
 }
 
 // WGSL only: Rust has it as a closure.

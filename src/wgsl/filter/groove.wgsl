@@ -7,23 +7,30 @@ const LOBE_GROOVE_SQUARES: f32 = 2.1267646664908054e37;
 
 // Rust: `may_be_unresolved`.
 fn lobe_groove_may_be_unresolved(root_det: f32, longer_side_squared: f32) -> bool {
-    return !(root_det >= LOBE_MIN_POSITIVE && longer_side_squared <= LOBE_GROOVE_LIMIT * LOBE_GROOVE_LIMIT);
+    return !(
+        root_det >= LOBE_MIN_POSITIVE
+            && longer_side_squared <= LOBE_GROOVE_LIMIT * LOBE_GROOVE_LIMIT
+    );
 }
 
-// Rust: `CoveredCell`.
+// Rust: `Covered`.
 struct LobeGrooveCovered {
     mean: f32,
     place: vec2f,
 }
 
 // Rust: `unresolved`: whether it is some.
-fn lobe_groove_is_unresolved(shape: LobeAnisotropic, longer_side_squared: f32, footprint: LobeFootprint) -> bool {
+fn lobe_groove_is_unresolved(
+    shape: LobeAnisotropic, longer_side_squared: f32, footprint: LobeFootprint
+) -> bool {
     return lobe_groove_may_be_unresolved(shape.root_det, longer_side_squared)
         && lobe_groove_is_narrow(shape, longer_side_squared, footprint);
 }
 
 // Rust: `narrow`: whether it is some.
-fn lobe_groove_is_narrow(shape: LobeAnisotropic, longer_side_squared: f32, footprint: LobeFootprint) -> bool {
+fn lobe_groove_is_narrow(
+    shape: LobeAnisotropic, longer_side_squared: f32, footprint: LobeFootprint
+) -> bool {
     let root_det = shape.root_det;
     if !(root_det >= LOBE_MIN_POSITIVE && longer_side_squared <= LOBE_GROOVE_SQUARES) {
         return true;
@@ -32,7 +39,8 @@ fn lobe_groove_is_narrow(shape: LobeAnisotropic, longer_side_squared: f32, footp
     let minor = lobe_kept(root_det / major.z);
     let thick = lobe_groove_is_mirror(major.z, footprint);
     let brushed = major.z >= 16777216.0 * minor;
-    return thick || (brushed && lobe_groove_reach_across(major.xy, footprint) >= LOBE_GROOVE_LIMIT * minor);
+    return thick
+        || (brushed && lobe_groove_reach_across(major.xy, footprint) >= LOBE_GROOVE_LIMIT * minor);
 }
 
 // Rust: `reach_across`.
@@ -53,7 +61,9 @@ const LOBE_GROOVE_BRUSHED: f32 = 300.0;
 const LOBE_GROOVE_LARGEST_GAIN: f32 = 1e30;
 
 // Rust: `covered`.
-fn lobe_groove_covered(shape: LobeAnisotropic, offset: vec4f, footprint: LobeFootprint) -> LobeGrooveCovered {
+fn lobe_groove_covered(
+    shape: LobeAnisotropic, offset: vec4f, footprint: LobeFootprint
+) -> LobeGrooveCovered {
     let major = lobe_anisotropic_major(shape);
     if lobe_groove_is_mirror(major.z, footprint) {
         return LobeGrooveCovered(lobe_groove_mirror_mean(offset, footprint), vec2f(0.0, 0.0));
@@ -135,7 +145,9 @@ fn lobe_groove_marginal_mean(alpha: f32, start: f32, end: f32) -> f32 {
 }
 
 // Rust: `groove`.
-fn lobe_groove_of(axis: vec2f, alpha: f32, offset: vec4f, footprint: LobeFootprint) -> LobeGrooveCovered {
+fn lobe_groove_of(
+    axis: vec2f, alpha: f32, offset: vec4f, footprint: LobeFootprint
+) -> LobeGrooveCovered {
     let zero = vec2f(0.0, 0.0);
     let swap = abs(lobe_cross(axis, footprint.u)) > abs(lobe_cross(axis, footprint.v));
     let u = select(footprint.u, footprint.v, swap);
@@ -174,7 +186,8 @@ fn lobe_groove_of(axis: vec2f, alpha: f32, offset: vec4f, footprint: LobeFootpri
     let place = middle + (densest - middle) * pull;
     let mean = part / long * lobe_groove_marginal_mean(alpha, start, end);
     return LobeGrooveCovered(
-        lobe_below_infinity(lobe_max(lobe_defined(mean), 0.0)), vec2f(lobe_defined(axis.x * place), lobe_defined(axis.y * place))
+        lobe_below_infinity(lobe_max(lobe_defined(mean), 0.0)),
+        vec2f(lobe_defined(axis.x * place), lobe_defined(axis.y * place))
     );
 }
 

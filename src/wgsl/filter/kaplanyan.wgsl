@@ -1,4 +1,5 @@
-// Kaplanyan's Appendix A, as printed and with its corners mended, and his proxy. Rust: src/filter/kaplanyan.rs.
+// Kaplanyan's Appendix A, as printed and with its corners mended, and his proxy. Rust:
+// src/filter/kaplanyan.rs.
 
 // Rust: `phi`.
 fn lobe_kaplanyan_phi(x: f32, y: f32, gamma: f32, delta: f32) -> f32 {
@@ -17,7 +18,8 @@ fn lobe_kaplanyan_eight_terms(alphas: vec2f, slope: vec2f, reach: vec2f) -> f32 
     return lobe_kaplanyan_phi(left, low, alpha, beta) - lobe_kaplanyan_phi(left, high, alpha, beta)
         + lobe_kaplanyan_phi(right, high, alpha, beta) - lobe_kaplanyan_phi(right, low, alpha, beta)
         + lobe_kaplanyan_phi(low, left, beta, alpha) - lobe_kaplanyan_phi(low, right, beta, alpha)
-        + lobe_kaplanyan_phi(high, right, beta, alpha) - lobe_kaplanyan_phi(high, left, beta, alpha);
+        + lobe_kaplanyan_phi(high, right, beta, alpha)
+        - lobe_kaplanyan_phi(high, left, beta, alpha);
 }
 
 // Rust: `kaplanyan_rectangle_mean`. 0 for NaN.
@@ -28,7 +30,9 @@ fn lobe_kaplanyan_rectangle_mean(alphas: vec2f, slope: vec2f, widths: vec2f) -> 
 
 // Rust: `kaplanyan_rectangle_mean_as_printed`. 0 for NaN.
 fn lobe_kaplanyan_rectangle_mean_as_printed(alphas: vec2f, slope: vec2f, widths: vec2f) -> f32 {
-    return lobe_kaplanyan_normalized(alphas, widths, lobe_kaplanyan_eight_terms(alphas, slope, widths));
+    return lobe_kaplanyan_normalized(
+        alphas, widths, lobe_kaplanyan_eight_terms(alphas, slope, widths)
+    );
 }
 
 // Rust: `normalized`.

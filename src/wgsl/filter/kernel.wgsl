@@ -17,7 +17,8 @@ struct LobeKernel {
     covariance: LobePsd,
 }
 
-// Rust: `Kernel::of`, with a filter's variance. A variance beyond [0, 1e9] counts as the nearest, NaN as 0.
+// Rust: `Kernel::of`, with a filter's variance. A variance beyond [0, 1e9] counts as the nearest,
+// NaN as 0.
 fn lobe_kernel_of(footprint: LobeFootprint, variance: f32) -> LobeKernel {
     let spread = lobe_magnitude(variance);
     let finite = LobeFootprint(lobe_kernel_finite(footprint.u), lobe_kernel_finite(footprint.v));
@@ -38,7 +39,8 @@ fn lobe_kernel_from_covariance(covariance: LobePsd) -> LobeKernel {
     return LobeKernel(covariance);
 }
 
-// Rust: `Kernel::footprint`, for a filter's variance. The zero footprint for a variance that is not positive.
+// Rust: `Kernel::footprint`, for a filter's variance. The zero footprint for a variance that is not
+// positive.
 fn lobe_kernel_footprint(kernel: LobeKernel, variance: f32) -> LobeFootprint {
     let spread = lobe_magnitude(variance);
     if spread <= 0.0 {
@@ -49,7 +51,9 @@ fn lobe_kernel_footprint(kernel: LobeKernel, variance: f32) -> LobeFootprint {
     let long = sqrt(lobe_min(eigen.major / least, LOBE_LARGEST * LOBE_LARGEST));
     let short = sqrt(lobe_min(eigen.minor / least, LOBE_LARGEST * LOBE_LARGEST));
     let turn = eigen.axis;
-    return LobeFootprint(vec2f(long * turn.x, long * turn.y), vec2f(-(short * turn.y), short * turn.x));
+    return LobeFootprint(
+        vec2f(long * turn.x, long * turn.y), vec2f(-(short * turn.y), short * turn.x)
+    );
 }
 
 // Rust: `Kernel::capped`.

@@ -3,8 +3,8 @@
 // Rust: `MEAN_LENGTH_TOLERANCE`.
 const LOBE_MEAN_LENGTH_TOLERANCE: f32 = 0.006819097667594005;
 
-// Rust: `checked`. Lengths above 1 count as 1, also those above 1 + LOBE_MEAN_LENGTH_TOLERANCE, which Rust refuses;
-// lengths not above 0 count as the smallest normal number, NaN too.
+// Rust: `checked`. Lengths above 1 count as 1, also those above 1 + LOBE_MEAN_LENGTH_TOLERANCE,
+// which Rust refuses; lengths not above 0 count as the smallest normal number, NaN too.
 fn lobe_mean_length(length: f32) -> f32 {
     return lobe_min(lobe_max(length, LOBE_MIN_POSITIVE), 1.0);
 }
@@ -44,6 +44,8 @@ const LOBE_VMF_WIDENING_SPECULAR_AA: f32 = 2.0;
 // Rust: `VmfWidening::alpha`, the gain last. Gains outside [0, 1e9] count as the nearest, NaN as 0.
 fn lobe_vmf_alpha(alpha: f32, length: f32, gain: f32) -> f32 {
     let a = lobe_magnitude(alpha);
-    let added = lobe_min(lobe_magnitude(gain) / lobe_vmf_sharpness(length), LOBE_LARGEST * LOBE_LARGEST);
+    let added = lobe_min(
+        lobe_magnitude(gain) / lobe_vmf_sharpness(length), LOBE_LARGEST * LOBE_LARGEST
+    );
     return sqrt(a * a + added);
 }

@@ -6,14 +6,18 @@ struct LobeSphericalGaussian {
     sharpness: f32,
 }
 
-// Rust: `SphericalGaussian::new`. Sharpness beyond [1e-9, 1e18] counts as the nearest; a direction without length is 0.
+// Rust: `SphericalGaussian::new`. Sharpness beyond [1e-9, 1e18] counts as the nearest; a direction
+// without length is 0.
 fn lobe_spherical_gaussian_new(direction: vec3f, sharpness: f32) -> LobeSphericalGaussian {
     let bounded = lobe_min(lobe_max(sharpness, 1.0 / LOBE_LARGEST), LOBE_LARGEST * LOBE_LARGEST);
     return LobeSphericalGaussian(lobe_normalize(direction), bounded);
 }
 
-// Rust: `SphericalGaussian::from_angular_radius`. Radii beyond [2e-9, 6e4] count as the nearest, NaN as the least.
-fn lobe_spherical_gaussian_from_angular_radius(direction: vec3f, radius: f32) -> LobeSphericalGaussian {
+// Rust: `SphericalGaussian::from_angular_radius`. Radii beyond [2e-9, 6e4] count as the nearest,
+// NaN as the least.
+fn lobe_spherical_gaussian_from_angular_radius(
+    direction: vec3f, radius: f32
+) -> LobeSphericalGaussian {
     let size = lobe_max(radius, 2e-9);
     return lobe_spherical_gaussian_new(direction, 4.0 / size / size);
 }
@@ -32,7 +36,9 @@ fn lobe_spherical_gaussian_integral(light: LobeSphericalGaussian) -> f32 {
 
 // Rust: `SphericalGaussian::kernel`.
 fn lobe_spherical_gaussian_kernel(light: LobeSphericalGaussian, wo: vec3f) -> LobeKernel {
-    return lobe_kernel_of(lobe_spherical_gaussian_footprint(light, wo), lobe_spherical_gaussian_spread(light));
+    return lobe_kernel_of(
+        lobe_spherical_gaussian_footprint(light, wo), lobe_spherical_gaussian_spread(light)
+    );
 }
 
 // Rust: `SphericalGaussian::disk_kernel`.
@@ -59,7 +65,8 @@ fn lobe_spherical_gaussian_footprint(light: LobeSphericalGaussian, wo: vec3f) ->
     let zero = vec2f(0.0, 0.0);
     let tangents = lobe_spherical_gaussian_tangents(light);
     return lobe_footprint_from_motion(
-        lobe_spherical_gaussian_sum(light, wo), LobeMotion(tangents[0], zero, 0.0), LobeMotion(tangents[1], zero, 0.0)
+        lobe_spherical_gaussian_sum(light, wo), LobeMotion(tangents[0], zero, 0.0),
+        LobeMotion(tangents[1], zero, 0.0)
     );
 }
 
@@ -81,6 +88,7 @@ fn lobe_spherical_gaussian_tangents(light: LobeSphericalGaussian) -> mat2x3f {
     let a = -1.0 / (sign + w.z);
     let b = w.x * w.y * a;
     return mat2x3f(
-        vec3f(1.0 + sign * w.x * w.x * a, sign * b, -(sign * w.x)), vec3f(b, sign + w.y * w.y * a, -w.y)
+        vec3f(1.0 + sign * w.x * w.x * a, sign * b, -(sign * w.x)),
+        vec3f(b, sign + w.y * w.y * a, -w.y)
     );
 }

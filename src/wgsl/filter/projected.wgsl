@@ -36,7 +36,9 @@ fn lobe_kernel_tokuyoshi_forward(u: vec2f, v: vec2f) -> LobeKernel {
 }
 
 // Rust: `Roughness::widened_on_disk`.
-fn lobe_roughness_widened_on_disk(roughness: LobeRoughness, kernel: LobeDiskKernel) -> LobeRoughness {
+fn lobe_roughness_widened_on_disk(
+    roughness: LobeRoughness, kernel: LobeDiskKernel
+) -> LobeRoughness {
     let added = lobe_projected_bounded(lobe_psd_mul(kernel.as_slopes.covariance, 2.0));
     let psd = roughness.psd;
     let complement = 1.0 - lobe_psd_trace(psd) + lobe_psd_det(psd);
@@ -45,13 +47,17 @@ fn lobe_roughness_widened_on_disk(roughness: LobeRoughness, kernel: LobeDiskKern
     }
     let eigen = lobe_psd_eigen(psd);
     if eigen.major < 1.0 {
-        return LobeRoughness(lobe_projected_from_disk(lobe_psd_add(lobe_projected_to_disk(eigen), added)));
+        return LobeRoughness(
+            lobe_projected_from_disk(lobe_psd_add(lobe_projected_to_disk(eigen), added))
+        );
     }
     if !(eigen.minor < 1.0) {
         return roughness;
     }
     let turn = eigen.axis;
-    let across = lobe_projected_filtered_square(eigen.minor, lobe_psd_quadratic(added, vec2f(-turn.y, turn.x)));
+    let across = lobe_projected_filtered_square(
+        eigen.minor, lobe_psd_quadratic(added, vec2f(-turn.y, turn.x))
+    );
     return LobeRoughness(lobe_psd_from_axes(sqrt(eigen.major), sqrt(across), turn.x, turn.y));
 }
 

@@ -1,4 +1,5 @@
-// Proxies: a GGX again, as bright at its peak as GGX under a pixel really is. Rust: src/filter/proxy.rs.
+// Proxies: a GGX again, as bright at its peak as GGX under a pixel really is. Rust:
+// src/filter/proxy.rs.
 
 // Rust: `box_peak_alpha`. Numbers beyond [0, 1e9] count as the nearest, NaN as 0.
 fn lobe_box_peak_alpha(alpha: f32, width: f32) -> f32 {
@@ -33,7 +34,9 @@ struct LobeProxy {
 fn lobe_proxy_of(lobe: LobePsd, kernel: LobePsd) -> LobeProxy {
     let inverse = 1.0 / lobe_max(lobe.root_det, LOBE_MIN_POSITIVE);
     let trace = lobe_kept(lobe_psd_mixed_det(lobe, kernel) * inverse) * inverse;
-    return LobeProxy(trace, kernel.root_det * inverse, !lobe_psd_is_singular(lobe) && trace <= 1e18);
+    return LobeProxy(
+        trace, kernel.root_det * inverse, !lobe_psd_is_singular(lobe) && trace <= 1e18
+    );
 }
 
 // Rust: `Whitened::factor`.
@@ -85,7 +88,9 @@ fn lobe_proxy_positive_root(d: f32, m: f32, e: f32) -> f32 {
 // Rust: `Roughness::peak_matched`.
 fn lobe_roughness_peak_matched(roughness: LobeRoughness, kernel: LobeKernel) -> LobeRoughness {
     let peak = lobe_ggx_gaussian_mean(lobe_lobe_centered(roughness), vec2f(0.0, 0.0), kernel);
-    return lobe_roughness_with_peak(roughness, lobe_psd_mul(kernel.covariance, 2.0), peak, 1.0, 2.0);
+    return lobe_roughness_with_peak(
+        roughness, lobe_psd_mul(kernel.covariance, 2.0), peak, 1.0, 2.0
+    );
 }
 
 // Rust: `Roughness::peak_fitted`.
@@ -102,7 +107,9 @@ fn lobe_roughness_peak_fitted(roughness: LobeRoughness, kernel: LobeKernel) -> L
 }
 
 // Rust: `Roughness::peak_matched_over`.
-fn lobe_roughness_peak_matched_over(roughness: LobeRoughness, footprint: LobeFootprint) -> LobeRoughness {
+fn lobe_roughness_peak_matched_over(
+    roughness: LobeRoughness, footprint: LobeFootprint
+) -> LobeRoughness {
     let sides = lobe_footprint_bounded(footprint);
     let kernel = lobe_psd_outer_sum(sides.u, sides.v);
     let shape = LobeNonCentered(lobe_anisotropic_new(roughness), vec2f(0.0, 0.0));
@@ -122,10 +129,13 @@ fn lobe_roughness_with_peak(
     let proxy = lobe_proxy_of(psd, kernel);
     var factor = 0.0;
     if proxy.known {
-        factor = lobe_proxy_factor(proxy, 1.0 / lobe_max(LOBE_PI * peak * root_det, LOBE_MIN_POSITIVE));
+        factor = lobe_proxy_factor(
+            proxy, 1.0 / lobe_max(LOBE_PI * peak * root_det, LOBE_MIN_POSITIVE)
+        );
     } else {
         factor = lobe_proxy_positive_root(
-            kernel.root_det, lobe_psd_mixed_det(psd, kernel), 1.0 / lobe_max(LOBE_PI * peak, LOBE_MIN_POSITIVE)
+            kernel.root_det, lobe_psd_mixed_det(psd, kernel),
+            1.0 / lobe_max(LOBE_PI * peak, LOBE_MIN_POSITIVE)
         );
     }
     let bounded = select(least, lobe_min(lobe_max(factor, least), most), peak > 0.0);

@@ -1,6 +1,7 @@
 // Schlick's and the conductor's reflectance. Rust: src/material/fresnel.rs.
 
-// Rust: `Fresnel::schlick`, then `Fresnel::reflectance`. Numbers beyond [0, 1] count as the nearest, NaN as 0.
+// Rust: `Fresnel::schlick`, then `Fresnel::reflectance`. Numbers beyond [0, 1] count as the
+// nearest, NaN as 0.
 fn lobe_fresnel_schlick(normal: vec3f, cosine: f32) -> vec3f {
     let c = lobe_min(lobe_max(cosine, 0.0), 1.0);
     let rest = 1.0 - c;
@@ -12,11 +13,13 @@ fn lobe_fresnel_schlick(normal: vec3f, cosine: f32) -> vec3f {
     return vec3f(f.x + (1.0 - f.x) * power, f.y + (1.0 - f.y) * power, f.z + (1.0 - f.z) * power);
 }
 
-// Rust: `Fresnel::conductor`, then `Fresnel::reflectance`. Numbers beyond their ranges count as the nearest, NaN as 0.
+// Rust: `Fresnel::conductor`, then `Fresnel::reflectance`. Numbers beyond their ranges count as the
+// nearest, NaN as 0.
 fn lobe_fresnel_conductor(eta: vec3f, k: vec3f, cosine: f32) -> vec3f {
     let c = lobe_min(lobe_max(cosine, 0.0), 1.0);
     return vec3f(
-        lobe_fresnel_channel(eta.x, k.x, c), lobe_fresnel_channel(eta.y, k.y, c), lobe_fresnel_channel(eta.z, k.z, c)
+        lobe_fresnel_channel(eta.x, k.x, c), lobe_fresnel_channel(eta.y, k.y, c),
+        lobe_fresnel_channel(eta.z, k.z, c)
     );
 }
 

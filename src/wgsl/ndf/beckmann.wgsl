@@ -1,7 +1,10 @@
-// Beckmann: what it owes as a distribution, and what follows. Rust: src/ndf/beckmann.rs, distribution.rs and masking.rs.
+// Beckmann: what it owes as a distribution, and what follows. Rust: src/ndf/beckmann.rs,
+// distribution.rs and masking.rs.
 
 // Rust: `BeckmannDistribution::density`. 0 for NaN.
-fn lobe_beckmann_density(form: f32, root_det: f32, z: f32, length_squared: f32, weight: f32) -> f32 {
+fn lobe_beckmann_density(
+    form: f32, root_det: f32, z: f32, length_squared: f32, weight: f32
+) -> f32 {
     let square = z * z;
     // A mirror's exponent has nothing to divide by.
     let e = lobe_exp(-0.5 * form / lobe_max(root_det * square, LOBE_MIN_POSITIVE));
@@ -30,30 +33,40 @@ fn lobe_beckmann_slope_pdf(at: LobeNormal) -> f32 {
 
 // Rust: `Ndf::d`, of a shape's answers at a normal.
 fn lobe_beckmann_d(at: LobeNormal) -> f32 {
-    return lobe_density_at(lobe_beckmann_density(at.form, at.root_det, at.z, 1.0, LOBE_INVERSE_PI), at);
+    return lobe_density_at(
+        lobe_beckmann_density(at.form, at.root_det, at.z, 1.0, LOBE_INVERSE_PI), at
+    );
 }
 
 // Rust: `Ndf::brdf`, of a shape's answers at a pair of directions.
 fn lobe_beckmann_brdf(at: LobePair) -> f32 {
     let weight = lobe_brdf_weight(lobe_beckmann_visibility_terms(at.wo, at.wi));
-    return lobe_brdf_at(lobe_beckmann_density(at.form, at.root_det, at.z, at.length_squared, weight), at);
+    return lobe_brdf_at(
+        lobe_beckmann_density(at.form, at.root_det, at.z, at.length_squared, weight), at
+    );
 }
 
 // Rust: `Ndf::unshadowed_brdf_cos`, of a shape's answers at a pair of directions. 0 for NaN.
 fn lobe_beckmann_unshadowed_brdf_cos(at: LobePair) -> f32 {
     let area = lobe_beckmann_projected_area(at.wo);
     let weight = 0.25 * LOBE_INVERSE_PI / area;
-    return lobe_unshadowed_at(lobe_beckmann_density(at.form, at.root_det, at.z, at.length_squared, weight), area, at);
+    return lobe_unshadowed_at(
+        lobe_beckmann_density(at.form, at.root_det, at.z, at.length_squared, weight), area, at
+    );
 }
 
 // Rust: `Ndf::projected_area`, of a shape's answers at a direction. 0 for NaN.
 fn lobe_beckmann_projected_area(at: LobeView) -> f32 {
-    return lobe_projected_area_of(at.mean_area, lobe_beckmann_excess(abs(at.mean_area), at.stretch_squared));
+    return lobe_projected_area_of(
+        at.mean_area, lobe_beckmann_excess(abs(at.mean_area), at.stretch_squared)
+    );
 }
 
 // Rust: `Ndf::lambda`. The largest number from below, and for NaN.
 fn lobe_beckmann_lambda(at: LobeView) -> f32 {
-    return lobe_lambda_of(at.mean_area, lobe_beckmann_excess(abs(at.mean_area), at.stretch_squared));
+    return lobe_lambda_of(
+        at.mean_area, lobe_beckmann_excess(abs(at.mean_area), at.stretch_squared)
+    );
 }
 
 // Rust: `Ndf::g1`. 0 for NaN.
@@ -75,7 +88,9 @@ fn lobe_beckmann_visibility(wo: LobeView, wi: LobeView) -> f32 {
 // Rust: `Ndf::visibility_terms`: the sum.
 fn lobe_beckmann_visibility_terms(wo: LobeView, wi: LobeView) -> f32 {
     let even_o = lobe_beckmann_even_area(wo.mean_area, wo.stretch_squared);
-    return lobe_visibility_terms(wo, even_o, wi, lobe_beckmann_even_area(wi.mean_area, wi.stretch_squared));
+    return lobe_visibility_terms(
+        wo, even_o, wi, lobe_beckmann_even_area(wi.mean_area, wi.stretch_squared)
+    );
 }
 
 // Rust: `Ndf::lambda_walter`. The largest number from below, and for NaN.

@@ -1,4 +1,5 @@
-// Masking of V-shaped cavities: a function of the facet, not of the distribution. Rust: src/ndf/cavity.rs.
+// Masking of V-shaped cavities: a function of the facet, not of the distribution. Rust:
+// src/ndf/cavity.rs.
 
 // Rust: `cavity_masking`. 0 for NaN.
 fn lobe_cavity_masking(w: vec3f, m: vec3f) -> f32 {

@@ -1,4 +1,5 @@
-// GGX: what it owes as a distribution, and what follows. Rust: src/ndf/ggx.rs, distribution.rs and masking.rs.
+// GGX: what it owes as a distribution, and what follows. Rust: src/ndf/ggx.rs, distribution.rs and
+// masking.rs.
 
 // Rust: `GgxDistribution::density`. 0 for NaN.
 fn lobe_ggx_density(form: f32, root_det: f32, z: f32, length_squared: f32, weight: f32) -> f32 {
@@ -8,7 +9,9 @@ fn lobe_ggx_density(form: f32, root_det: f32, z: f32, length_squared: f32, weigh
 
 // Rust: `GgxDistribution::excess`. 0 for NaN.
 fn lobe_ggx_excess(c: f32, stretch_squared: f32) -> f32 {
-    return lobe_defined(stretch_squared / lobe_max(2.0 * (sqrt(c * c + stretch_squared) + c), LOBE_MIN_POSITIVE));
+    return lobe_defined(
+        stretch_squared / lobe_max(2.0 * (sqrt(c * c + stretch_squared) + c), LOBE_MIN_POSITIVE)
+    );
 }
 
 // Rust: `GgxDistribution::even_area`. 0 for NaN.
@@ -29,19 +32,25 @@ fn lobe_ggx_d(at: LobeNormal) -> f32 {
 // Rust: `Ndf::brdf`, of a shape's answers at a pair of directions.
 fn lobe_ggx_brdf(at: LobePair) -> f32 {
     let weight = lobe_brdf_weight(lobe_ggx_visibility_terms(at.wo, at.wi));
-    return lobe_brdf_at(lobe_ggx_density(at.form, at.root_det, at.z, at.length_squared, weight), at);
+    return lobe_brdf_at(
+        lobe_ggx_density(at.form, at.root_det, at.z, at.length_squared, weight), at
+    );
 }
 
 // Rust: `Ndf::unshadowed_brdf_cos`, of a shape's answers at a pair of directions. 0 for NaN.
 fn lobe_ggx_unshadowed_brdf_cos(at: LobePair) -> f32 {
     let area = lobe_ggx_projected_area(at.wo);
     let weight = 0.25 * LOBE_INVERSE_PI / area;
-    return lobe_unshadowed_at(lobe_ggx_density(at.form, at.root_det, at.z, at.length_squared, weight), area, at);
+    return lobe_unshadowed_at(
+        lobe_ggx_density(at.form, at.root_det, at.z, at.length_squared, weight), area, at
+    );
 }
 
 // Rust: `Ndf::projected_area`, of a shape's answers at a direction. 0 for NaN.
 fn lobe_ggx_projected_area(at: LobeView) -> f32 {
-    return lobe_projected_area_of(at.mean_area, lobe_ggx_excess(abs(at.mean_area), at.stretch_squared));
+    return lobe_projected_area_of(
+        at.mean_area, lobe_ggx_excess(abs(at.mean_area), at.stretch_squared)
+    );
 }
 
 // Rust: `Ndf::lambda`. The largest number from below, and for NaN.
@@ -68,5 +77,7 @@ fn lobe_ggx_visibility(wo: LobeView, wi: LobeView) -> f32 {
 // Rust: `Ndf::visibility_terms`: the sum.
 fn lobe_ggx_visibility_terms(wo: LobeView, wi: LobeView) -> f32 {
     let even_o = lobe_ggx_even_area(wo.mean_area, wo.stretch_squared);
-    return lobe_visibility_terms(wo, even_o, wi, lobe_ggx_even_area(wi.mean_area, wi.stretch_squared));
+    return lobe_visibility_terms(
+        wo, even_o, wi, lobe_ggx_even_area(wi.mean_area, wi.stretch_squared)
+    );
 }

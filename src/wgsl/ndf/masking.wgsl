@@ -28,7 +28,9 @@ fn lobe_masking_shadowing_of(wo: LobeView, wi: LobeView, sum: f32) -> f32 {
 
 // WGSL only: `Ndf::visibility` of the sum. 0 for NaN.
 fn lobe_visibility_of(wo: LobeView, wi: LobeView, sum: f32) -> f32 {
-    return select(0.0, 0.5 / lobe_max(sum, LOBE_MIN_POSITIVE), lobe_min(wo.mean_area, wi.mean_area) > 0.0);
+    return select(
+        0.0, 0.5 / lobe_max(sum, LOBE_MIN_POSITIVE), lobe_min(wo.mean_area, wi.mean_area) > 0.0
+    );
 }
 
 // WGSL only: what `Ndf::brdf` multiplies the density by, of the sum.

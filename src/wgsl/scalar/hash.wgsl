@@ -1,4 +1,5 @@
-// Four words from four words, by integer arithmetic alone: the same bits on every machine. Rust: src/scalar/hash.rs.
+// Four words from four words, by integer arithmetic alone: the same bits on every machine. Rust:
+// src/scalar/hash.rs.
 
 // Rust: `hash`.
 fn lobe_hash(key: vec4u) -> vec4u {
@@ -23,5 +24,6 @@ fn lobe_hash_uniform(word: u32) -> f32 {
 // Rust: `tail`.
 fn lobe_hash_tail(word: u32) -> f32 {
     let small = word < 0x00800000u;
-    return (f32(select(word >> 9u, word, small)) + 0.5) * select(1.1920929e-7, 2.3283064e-10, small);
+    return (f32(select(word >> 9u, word, small)) + 0.5)
+        * select(1.1920929e-7, 2.3283064e-10, small);
 }

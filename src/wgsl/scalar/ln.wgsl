@@ -3,7 +3,8 @@
 // Rust: `LN_F32`.
 const LOBE_LN = array<f32, 3>(0.66666776, 0.3997757, 0.29871044);
 
-// Rust: `Real::ln`. The negative of the largest number for 0 and below, which have no logarithm; 0 for NaN.
+// Rust: `Real::ln`. The negative of the largest number for 0 and below, which have no logarithm; 0
+// for NaN.
 fn lobe_ln(x: f32) -> f32 {
     let small = x < LOBE_MIN_POSITIVE;
     let bits = bitcast<u32>(select(x, x * 8388608.0, small));

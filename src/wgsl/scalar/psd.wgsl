@@ -1,4 +1,5 @@
-// Symmetric positive semi-definite 2x2 matrices that carry the root of their determinant. Rust: src/scalar/psd.rs.
+// Symmetric positive semi-definite 2x2 matrices that carry the root of their determinant. Rust:
+// src/scalar/psd.rs.
 
 // Rust: `Psd`.
 struct LobePsd {
@@ -15,7 +16,8 @@ struct LobeEigen {
     axis: vec2f,
 }
 
-// Rust: `Psd::new`. Where that refuses the entries, the nearest matrix with entries up to 1e18; 0 for NaN.
+// Rust: `Psd::new`. Where that refuses the entries, the nearest matrix with entries up to 1e18; 0
+// for NaN.
 fn lobe_psd_new(xx: f32, xy: f32, yy: f32) -> LobePsd {
     let x = lobe_within(xx, 1e18);
     let m = lobe_within(xy, 1e18);
@@ -147,7 +149,9 @@ fn lobe_psd_capped(m: LobePsd, limit: f32) -> LobePsd {
     if eigen.major <= cap {
         return m;
     }
-    return lobe_psd_from_axes(sqrt(cap), sqrt(lobe_min(eigen.minor, cap)), eigen.axis.x, eigen.axis.y);
+    return lobe_psd_from_axes(
+        sqrt(cap), sqrt(lobe_min(eigen.minor, cap)), eigen.axis.x, eigen.axis.y
+    );
 }
 
 // Rust: `Psd::mul`.

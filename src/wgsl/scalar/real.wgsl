@@ -31,7 +31,8 @@ fn lobe_is_number(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7fffffffu) <= 0x7f800000u;
 }
 
-// WGSL only: where a Rust constructor refuses a number outside [0, 1e9], shaders get the nearest; NaN counts as 0.
+// WGSL only: where a Rust constructor refuses a number outside [0, 1e9], shaders get the nearest;
+// NaN counts as 0.
 fn lobe_magnitude(x: f32) -> f32 {
     return lobe_min(lobe_max(x, 0.0), LOBE_LARGEST);
 }
@@ -56,13 +57,14 @@ fn lobe_defined(x: f32) -> f32 {
     return select(0.0, x, lobe_is_number(x));
 }
 
-// WGSL only: the largest number in place of infinity; a negative number stays. By the bits: compilers that assume finite
-// numbers may fold `lobe_min(x, LOBE_MAX)`.
+// WGSL only: the largest number in place of infinity; a negative number stays. By the bits:
+// compilers that assume finite numbers may fold `lobe_min(x, LOBE_MAX)`.
 fn lobe_below_infinity(x: f32) -> f32 {
     return bitcast<f32>(min(bitcast<i32>(x), 0x7f7fffff));
 }
 
-// WGSL only: the nearest finite number, the largest in place of NaN. By the bits, like `lobe_below_infinity`.
+// WGSL only: the nearest finite number, the largest in place of NaN. By the bits, like
+// `lobe_below_infinity`.
 fn lobe_finite(x: f32) -> f32 {
     let size = min(bitcast<u32>(x) & 0x7fffffffu, 0x7f7fffffu);
     return bitcast<f32>((bitcast<u32>(x) & 0x80000000u) | size);
@@ -73,7 +75,8 @@ fn lobe_upper_half(x: f32) -> f32 {
     return bitcast<f32>(bitcast<u32>(x) & 0xfffff000u);
 }
 
-// Rust: `Internal::floor`. Casts of what an integer does not hold are the driver's: the bound comes before.
+// Rust: `Internal::floor`. Casts of what an integer does not hold are the driver's: the bound comes
+// before.
 fn lobe_floor(x: f32) -> i32 {
     let bounded = lobe_within(x, 1073741824.0);
     let cut = i32(bounded);
@@ -90,8 +93,10 @@ fn lobe_power_of_two(k: i32) -> f32 {
     return bitcast<f32>(u32(k + 127) << 23u);
 }
 
-// Rust: `Internal::kept`. No compiler knows that no sum has the one pattern of bits that this changes, so none folds
-// (a + b) - a, fuses a * b + c, factors a * b + a * c or takes (a / b) * (c / d) as one quotient. The minimum is of integers: a select between floats would let literals through.
+// Rust: `Internal::kept`. No compiler knows that no sum has the one pattern of bits that this
+// changes, so none folds (a + b) - a, fuses a * b + c, factors a * b + a * c or takes (a / b) * (c
+// / d) as one quotient. The minimum is of integers: a select between floats would let literals
+// through.
 fn lobe_kept(x: f32) -> f32 {
     return bitcast<f32>(min(bitcast<u32>(x), 0xfffffffeu));
 }

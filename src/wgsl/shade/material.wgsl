@@ -13,19 +13,26 @@ fn lobe_half_cosine(wo: vec3f, wi: vec3f) -> f32 {
 
 // Rust: `Shading::evaluate`, of GGX, with the reflectance at `lobe_half_cosine`. 0 for NaN.
 fn lobe_ggx_evaluate(shape: LobeNonCentered, wo: vec3f, wi: vec3f, reflectance: vec3f) -> vec3f {
-    return lobe_shade_color(shape, lobe_ggx_brdf(lobe_non_centered_pair(shape, wo, wi)), wi, reflectance);
+    return lobe_shade_color(
+        shape, lobe_ggx_brdf(lobe_non_centered_pair(shape, wo, wi)), wi, reflectance
+    );
 }
 
 // Rust: `Shading::evaluate`, of Beckmann, with the reflectance at `lobe_half_cosine`. 0 for NaN.
-fn lobe_beckmann_evaluate(shape: LobeNonCentered, wo: vec3f, wi: vec3f, reflectance: vec3f) -> vec3f {
-    return lobe_shade_color(shape, lobe_beckmann_brdf(lobe_non_centered_pair(shape, wo, wi)), wi, reflectance);
+fn lobe_beckmann_evaluate(
+    shape: LobeNonCentered, wo: vec3f, wi: vec3f, reflectance: vec3f
+) -> vec3f {
+    return lobe_shade_color(
+        shape, lobe_beckmann_brdf(lobe_non_centered_pair(shape, wo, wi)), wi, reflectance
+    );
 }
 
 // Rust: `color`.
 fn lobe_shade_color(shape: LobeNonCentered, brdf: f32, wi: vec3f, reflectance: vec3f) -> vec3f {
     let area = lobe_max(lobe_non_centered_mean_area(shape, wi), 0.0);
     return vec3f(
-        lobe_shade_channel(reflectance.x, brdf, area), lobe_shade_channel(reflectance.y, brdf, area),
+        lobe_shade_channel(reflectance.x, brdf, area),
+        lobe_shade_channel(reflectance.y, brdf, area),
         lobe_shade_channel(reflectance.z, brdf, area)
     );
 }

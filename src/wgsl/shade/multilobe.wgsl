@@ -1,4 +1,5 @@
-// One call per light for many lobes: BRDF, reflectance and the light's cosine. Rust: src/shade/multilobe.rs.
+// One call per light for many lobes: BRDF, reflectance and the light's cosine. Rust:
+// src/shade/multilobe.rs.
 
 // Rust: `MultiLobeShading::evaluate`, with the reflectance at `lobe_half_cosine`. 0 for NaN.
 fn lobe_patch_ndf_evaluate(
@@ -8,7 +9,8 @@ fn lobe_patch_ndf_evaluate(
     let brdf = lobe_patch_ndf_brdf(lobe, lobe_mean_frame_to_local(frame, wo), local);
     let area = lobe_max(local.z, 0.0);
     return vec3f(
-        lobe_shade_channel(reflectance.x, brdf, area), lobe_shade_channel(reflectance.y, brdf, area),
+        lobe_shade_channel(reflectance.x, brdf, area),
+        lobe_shade_channel(reflectance.y, brdf, area),
         lobe_shade_channel(reflectance.z, brdf, area)
     );
 }

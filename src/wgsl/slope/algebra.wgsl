@@ -56,10 +56,13 @@ fn lobe_slope_moments_tilted(moments: LobeSlopeMoments, slope: vec2f) -> LobeSlo
 
 // Rust: `SlopeMoments::transformed`. Entries beyond 1e9 count as that, NaN as 0.
 fn lobe_slope_moments_transformed(moments: LobeSlopeMoments, matrix: mat2x2f) -> LobeSlopeMoments {
-    let m = mat2x2f(lobe_both_within(matrix[0], LOBE_LARGEST), lobe_both_within(matrix[1], LOBE_LARGEST));
+    let m = mat2x2f(
+        lobe_both_within(matrix[0], LOBE_LARGEST), lobe_both_within(matrix[1], LOBE_LARGEST)
+    );
     let factor = lobe_psd_cholesky(moments.covariance);
     let product = lobe_psd_outer_sum(
-        lobe_jacobian_apply(m, vec2f(factor.x, factor.y)), lobe_jacobian_apply(m, vec2f(0.0, factor.z))
+        lobe_jacobian_apply(m, vec2f(factor.x, factor.y)),
+        lobe_jacobian_apply(m, vec2f(0.0, factor.z))
     );
     let det = abs(lobe_cross(vec2f(m[0][0], m[1][0]), vec2f(m[0][1], m[1][1])));
     let root_det = det * moments.covariance.root_det;

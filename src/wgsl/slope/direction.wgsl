@@ -12,7 +12,9 @@ fn lobe_normalize(v: vec3f) -> vec3f {
     if !(finite && largest >= LOBE_MIN_POSITIVE) {
         return vec3f(0.0, 0.0, 0.0);
     }
-    let scaled = vec3f(lobe_kept(v.x / largest), lobe_kept(v.y / largest), lobe_kept(v.z / largest));
+    let scaled = vec3f(
+        lobe_kept(v.x / largest), lobe_kept(v.y / largest), lobe_kept(v.z / largest)
+    );
     // At least 1, but where a driver's quotient by the largest numbers is 0.
     let length = lobe_max(sqrt(lobe_dot(scaled, scaled)), 1.0);
     return vec3f(scaled.x / length, scaled.y / length, scaled.z / length);
@@ -31,7 +33,9 @@ fn lobe_slope_of(m: vec3f) -> vec2f {
 // Rust: `normal_of`. 0 for NaN.
 fn lobe_normal_of(slope: vec2f) -> vec3f {
     let inverse = 1.0 / sqrt(1.0 + slope.x * slope.x + slope.y * slope.y);
-    return vec3f(lobe_defined(-slope.x * inverse), lobe_defined(-slope.y * inverse), lobe_defined(inverse));
+    return vec3f(
+        lobe_defined(-slope.x * inverse), lobe_defined(-slope.y * inverse), lobe_defined(inverse)
+    );
 }
 
 // Rust: `from_disk`. 0 for NaN.
@@ -45,6 +49,7 @@ fn lobe_from_disk(point: vec2f) -> vec3f {
 fn lobe_reflect(w: vec3f, m: vec3f) -> vec3f {
     let twice = 2.0 * lobe_dot(w, m);
     return vec3f(
-        lobe_defined(twice * m.x - w.x), lobe_defined(twice * m.y - w.y), lobe_defined(twice * m.z - w.z)
+        lobe_defined(twice * m.x - w.x), lobe_defined(twice * m.y - w.y),
+        lobe_defined(twice * m.z - w.z)
     );
 }

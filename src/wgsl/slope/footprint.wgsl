@@ -40,7 +40,8 @@ fn lobe_footprint_from_half_vectors(h: vec3f, right: vec3f, up: vec3f) -> LobeFo
     let t = lobe_slope_of(up);
     let u = vec2f(r.x - s.x, r.y - s.y);
     let v = vec2f(t.x - s.x, t.y - s.y);
-    let known = lobe_footprint_is_known(h) && lobe_footprint_is_known(right) && lobe_footprint_is_known(up);
+    let known = lobe_footprint_is_known(h) && lobe_footprint_is_known(right)
+        && lobe_footprint_is_known(up);
     return lobe_footprint_if(above && known, u, v);
 }
 
@@ -51,14 +52,17 @@ fn lobe_footprint_is_known(w: vec3f) -> bool {
 
 // WGSL only: the footprint where it is wanted and finite, else zero.
 fn lobe_footprint_if(wanted: bool, u: vec2f, v: vec2f) -> LobeFootprint {
-    let finite = lobe_is_finite(u.x) && lobe_is_finite(u.y) && lobe_is_finite(v.x) && lobe_is_finite(v.y);
+    let finite = lobe_is_finite(u.x) && lobe_is_finite(u.y) && lobe_is_finite(v.x)
+        && lobe_is_finite(v.y);
     let zero = vec2f(0.0, 0.0);
     return LobeFootprint(select(zero, u, wanted && finite), select(zero, v, wanted && finite));
 }
 
 // Rust: `Footprint::from_positions`. 0 for NaN.
 fn lobe_footprint_from_positions(slope_jacobian: mat2x2f, u: vec2f, v: vec2f) -> LobeFootprint {
-    return LobeFootprint(lobe_jacobian_apply(slope_jacobian, u), lobe_jacobian_apply(slope_jacobian, v));
+    return LobeFootprint(
+        lobe_jacobian_apply(slope_jacobian, u), lobe_jacobian_apply(slope_jacobian, v)
+    );
 }
 
 // Rust: `Footprint::extents`.
@@ -151,7 +155,9 @@ fn lobe_footprint_area(footprint: LobeFootprint) -> f32 {
 fn lobe_footprint_mul(footprint: LobeFootprint, factor: f32) -> LobeFootprint {
     let u = footprint.u;
     let v = footprint.v;
-    return lobe_footprint_from_slopes(vec2f(u.x * factor, u.y * factor), vec2f(v.x * factor, v.y * factor));
+    return lobe_footprint_from_slopes(
+        vec2f(u.x * factor, u.y * factor), vec2f(v.x * factor, v.y * factor)
+    );
 }
 
 // Rust: `Footprint::sub`. 0 for NaN.

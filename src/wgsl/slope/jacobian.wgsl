@@ -1,5 +1,6 @@
 // Derivatives between sphere, projected disk and slope plane. Rust: src/slope/jacobian.rs.
-// A matrix has its columns first, as WGSL has it; Rust's have their rows first. `matrix * vector` means the same.
+// A matrix has its columns first, as WGSL has it; Rust's have their rows first. `matrix * vector`
+// means the same.
 
 // Rust: `azimuth`: cosine and sine.
 fn lobe_jacobian_azimuth(h: vec3f) -> vec2f {
@@ -30,7 +31,9 @@ fn lobe_disk_to_slope(h: vec3f) -> mat2x2f {
     let z = h.z;
     let inverse_cube = 1.0 / (z * z * z);
     let mixed = -inverse_cube * h.x * h.y;
-    return lobe_jacobian_rows(-inverse_cube * (z * z + h.x * h.x), mixed, mixed, -inverse_cube * (z * z + h.y * h.y));
+    return lobe_jacobian_rows(
+        -inverse_cube * (z * z + h.x * h.x), mixed, mixed, -inverse_cube * (z * z + h.y * h.y)
+    );
 }
 
 // Rust: `slope_per_normal`. 0 for NaN.
@@ -45,5 +48,7 @@ fn lobe_reflection_per_normal(wm: vec3f, wo: vec3f) -> f32 {
 
 // Rust: `apply`. 0 for NaN.
 fn lobe_jacobian_apply(m: mat2x2f, v: vec2f) -> vec2f {
-    return vec2f(lobe_defined(m[0][0] * v.x + m[1][0] * v.y), lobe_defined(m[0][1] * v.x + m[1][1] * v.y));
+    return vec2f(
+        lobe_defined(m[0][0] * v.x + m[1][0] * v.y), lobe_defined(m[0][1] * v.x + m[1][1] * v.y)
+    );
 }

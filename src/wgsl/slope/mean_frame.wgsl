@@ -1,4 +1,5 @@
-// The frame about the mean of slopes: where a relief leans, its own normal is +z. Rust: src/slope/mean_frame.rs.
+// The frame about the mean of slopes: where a relief leans, its own normal is +z. Rust:
+// src/slope/mean_frame.rs.
 
 // Rust: `MeanFrame`.
 struct LobeMeanFrame {
@@ -13,7 +14,8 @@ fn lobe_mean_frame_of(mean: vec2f) -> LobeMeanFrame {
     let inverse = 1.0 / (1.0 + n.z);
     let skew = -n.x * n.y * inverse;
     return LobeMeanFrame(
-        vec3f(1.0 - n.x * n.x * inverse, skew, -n.x), vec3f(skew, 1.0 - n.y * n.y * inverse, -n.y), n
+        vec3f(1.0 - n.x * n.x * inverse, skew, -n.x), vec3f(skew, 1.0 - n.y * n.y * inverse, -n.y),
+        n
     );
 }
 

@@ -28,7 +28,8 @@ fn lobe_slope_moments_from_raw(mean: vec2f, second: vec3f) -> LobeSlopeMoments {
     return LobeSlopeMoments(vec2f(x, y), covariance);
 }
 
-// Rust: `SlopeMoments::merged`. A weight that is no weight counts as 0; two of them leave the first moments.
+// Rust: `SlopeMoments::merged`. A weight that is no weight counts as 0; two of them leave the first
+// moments.
 fn lobe_slope_moments_merged(
     moments: LobeSlopeMoments, weight: f32, other: LobeSlopeMoments, other_weight: f32
 ) -> LobeSlopeMoments {
@@ -43,7 +44,9 @@ fn lobe_slope_moments_merged(
     let d = vec2f(other.mean.x - moments.mean.x, other.mean.y - moments.mean.y);
     let spread = sqrt(p * q);
     let between = lobe_psd_outer_sum(vec2f(d.x * spread, d.y * spread), vec2f(0.0, 0.0));
-    let within = lobe_psd_add(lobe_psd_mul(moments.covariance, p), lobe_psd_mul(other.covariance, q));
+    let within = lobe_psd_add(
+        lobe_psd_mul(moments.covariance, p), lobe_psd_mul(other.covariance, q)
+    );
     return LobeSlopeMoments(
         vec2f(moments.mean.x + q * d.x, moments.mean.y + q * d.y), lobe_psd_add(within, between)
     );

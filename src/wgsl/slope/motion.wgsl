@@ -10,7 +10,9 @@ struct LobeMotion {
 // Rust: `Motion::plane_step`.
 fn lobe_motion_plane_step(motion: LobeMotion, g: vec3f) -> vec2f {
     let p = vec2f(g.x / g.z, g.y / g.z);
-    let dg = vec3f(motion.half_vector.x / g.z, motion.half_vector.y / g.z, motion.half_vector.z / g.z);
+    let dg = vec3f(
+        motion.half_vector.x / g.z, motion.half_vector.y / g.z, motion.half_vector.z / g.z
+    );
     let pull = dg.z + p.x * motion.normal.x + p.y * motion.normal.y;
     return vec2f(
         dg.x - motion.normal.x - p.x * pull + p.y * motion.spin,

@@ -37,15 +37,21 @@ fn lobe_non_centered_mean_area(shape: LobeNonCentered, w: vec3f) -> f32 {
 
 // WGSL only: its answers at a normal.
 fn lobe_non_centered_normal(shape: LobeNonCentered, m: vec3f) -> LobeNormal {
-    return LobeNormal(lobe_non_centered_form(shape, m, vec3f(0.0, 0.0, 0.0)), shape.shape.root_det, lobe_defined(m.z));
+    return LobeNormal(
+        lobe_non_centered_form(shape, m, vec3f(0.0, 0.0, 0.0)), shape.shape.root_det,
+        lobe_defined(m.z)
+    );
 }
 
 // WGSL only: its answers at a direction.
 fn lobe_non_centered_view(shape: LobeNonCentered, w: vec3f) -> LobeView {
-    return lobe_view_of(w, lobe_non_centered_mean_area(shape, w), lobe_anisotropic_stretch_squared(shape.shape, w));
+    return lobe_view_of(
+        w, lobe_non_centered_mean_area(shape, w), lobe_anisotropic_stretch_squared(shape.shape, w)
+    );
 }
 
-// WGSL only: its answers at a pair of directions. Above a tilted plane a half vector may point down.
+// WGSL only: its answers at a pair of directions. Above a tilted plane a half vector may point
+// down.
 fn lobe_non_centered_pair(shape: LobeNonCentered, wo: vec3f, wi: vec3f) -> LobePair {
     let half = lobe_half_sum(wo, wi);
     let form = lobe_non_centered_form(shape, half.high, half.low);

@@ -14,6 +14,7 @@ fn lobe_ray_cone_steps(wo: vec3f, width: f32) -> mat2x2f {
     let turn = select(vec2f(1.0, 0.0), vec2f(wo.x / length, wo.y / length), length > 0.0);
     let long = width / lobe_max(wo.z, 1.0 / LOBE_LARGEST);
     return mat2x2f(
-        lobe_defined(long * turn.x), lobe_defined(long * turn.y), lobe_defined(-(width * turn.y)), lobe_defined(width * turn.x)
+        lobe_defined(long * turn.x), lobe_defined(long * turn.y), lobe_defined(-(width * turn.y)),
+        lobe_defined(width * turn.x)
     );
 }

@@ -1,6 +1,7 @@
 // Four questions about a lobe, and the shapes that answer them. Rust: src/slope/shape.rs.
-// Generic functions of Rust are split in two here: a shape answers (`lobe_anisotropic_normal`, `_view`, `_pair`), and a
-// distribution makes a density, a masking term or a BRDF of the answers (`lobe_ggx_d(lobe_anisotropic_normal(...))`).
+// Generic functions of Rust are split in two here: a shape answers (`lobe_anisotropic_normal`,
+// `_view`, `_pair`), and a distribution makes a density, a masking term or a BRDF of the answers
+// (`lobe_ggx_d(lobe_anisotropic_normal(...))`).
 
 // WGSL only: what a density asks of a shape at one normal.
 struct LobeNormal {
@@ -35,7 +36,9 @@ struct LobeHalfSum {
 // WGSL only: a direction of NaN sees nothing, as from a mirror's horizon.
 fn lobe_view_of(w: vec3f, mean_area: f32, stretch_squared: f32) -> LobeView {
     let known = lobe_is_number(w.x + w.y + w.z);
-    return LobeView(select(0.0, lobe_defined(mean_area), known), select(0.0, stretch_squared, known));
+    return LobeView(
+        select(0.0, lobe_defined(mean_area), known), select(0.0, stretch_squared, known)
+    );
 }
 
 // WGSL only: of `Ndf::brdf`.
@@ -47,7 +50,9 @@ fn lobe_half_sum(wo: vec3f, wi: vec3f) -> LobeHalfSum {
 }
 
 // WGSL only: of `Ndf::brdf`.
-fn lobe_pair_of(half: vec3f, form: f32, root_det: f32, wo: LobeView, wi: LobeView, lowest: f32) -> LobePair {
+fn lobe_pair_of(
+    half: vec3f, form: f32, root_det: f32, wo: LobeView, wi: LobeView, lowest: f32
+) -> LobePair {
     let length_squared = lobe_defined(half.x * half.x + half.y * half.y + half.z * half.z);
     return LobePair(form, root_det, lobe_defined(half.z), length_squared, wo, wi, lowest);
 }
@@ -92,7 +97,8 @@ fn lobe_isotropic_pair(shape: LobeIsotropic, wo: vec3f, wi: vec3f) -> LobePair {
     let half = vec3f(wo.x + wi.x, wo.y + wi.y, wo.z + wi.z);
     let form = lobe_isotropic_form(half);
     return lobe_pair_of(
-        half, form, lobe_isotropic_root_det(shape), lobe_isotropic_view(shape, wo), lobe_isotropic_view(shape, wi),
+        half, form, lobe_isotropic_root_det(shape), lobe_isotropic_view(shape, wo),
+        lobe_isotropic_view(shape, wi),
         lobe_min(wo.z, wi.z)
     );
 }
@@ -106,7 +112,9 @@ struct LobeAxisAligned {
 // Rust: `AxisAligned::new`. Alphas beyond [0, 1e9] count as the nearest, NaN as 0.
 fn lobe_axis_aligned_new(alpha_x: f32, alpha_y: f32) -> LobeAxisAligned {
     let alphas = vec2f(lobe_magnitude(alpha_x), lobe_magnitude(alpha_y));
-    let inverse = vec2f(1.0 / lobe_max(alphas.x, LOBE_MIN_POSITIVE), 1.0 / lobe_max(alphas.y, LOBE_MIN_POSITIVE));
+    let inverse = vec2f(
+        1.0 / lobe_max(alphas.x, LOBE_MIN_POSITIVE), 1.0 / lobe_max(alphas.y, LOBE_MIN_POSITIVE)
+    );
     return LobeAxisAligned(alphas, inverse);
 }
 
@@ -131,7 +139,9 @@ fn lobe_axis_aligned_stretch_squared(shape: LobeAxisAligned, w: vec3f) -> f32 {
 
 // WGSL only: its answers at a normal.
 fn lobe_axis_aligned_normal(shape: LobeAxisAligned, m: vec3f) -> LobeNormal {
-    return LobeNormal(lobe_axis_aligned_form(shape, m), lobe_axis_aligned_root_det(shape), lobe_defined(m.z));
+    return LobeNormal(
+        lobe_axis_aligned_form(shape, m), lobe_axis_aligned_root_det(shape), lobe_defined(m.z)
+    );
 }
 
 // WGSL only: its answers at a direction.
@@ -193,7 +203,8 @@ fn lobe_anisotropic_whiten(shape: LobeAnisotropic, v: vec2f, v_low: vec2f) -> ve
     let u = lobe_difference_of_products(shape.xx, v.y, shape.xy, v.x) + low;
     let diagonal = sqrt(shape.xx);
     return vec2f(
-        lobe_defined((v.x + v_low.x) / diagonal), lobe_defined(u * shape.inverse_xx * diagonal / shape.root_det)
+        lobe_defined((v.x + v_low.x) / diagonal),
+        lobe_defined(u * shape.inverse_xx * diagonal / shape.root_det)
     );
 }
 
@@ -218,7 +229,9 @@ fn lobe_anisotropic_stretch_squared(shape: LobeAnisotropic, w: vec3f) -> f32 {
 
 // WGSL only: its answers at a normal.
 fn lobe_anisotropic_normal(shape: LobeAnisotropic, m: vec3f) -> LobeNormal {
-    return LobeNormal(lobe_anisotropic_form(shape, m, vec3f(0.0, 0.0, 0.0)), shape.root_det, lobe_defined(m.z));
+    return LobeNormal(
+        lobe_anisotropic_form(shape, m, vec3f(0.0, 0.0, 0.0)), shape.root_det, lobe_defined(m.z)
+    );
 }
 
 // WGSL only: its answers at a direction.
@@ -231,6 +244,7 @@ fn lobe_anisotropic_pair(shape: LobeAnisotropic, wo: vec3f, wi: vec3f) -> LobePa
     let half = lobe_half_sum(wo, wi);
     let form = lobe_anisotropic_form(shape, half.high, half.low);
     return lobe_pair_of(
-        half.high, form, shape.root_det, lobe_anisotropic_view(shape, wo), lobe_anisotropic_view(shape, wi), lobe_min(wo.z, wi.z)
+        half.high, form, shape.root_det, lobe_anisotropic_view(shape, wo),
+        lobe_anisotropic_view(shape, wi), lobe_min(wo.z, wi.z)
     );
 }

@@ -60,8 +60,9 @@ impl LobeInput {
         Lobe::new(self.mean.map(R::lit), self.ellipse.roughness()).expect("a finite mean")
     }
 
-    /// How far rounding moves a slope of size `reach`, in units of the lobe's smaller alpha: a density
-    /// that changes by at most a factor of e per alpha or so inherits it as a relative error.
+    /// How far rounding moves a slope of size `reach`, in units of the lobe's smaller alpha: a
+    /// density that changes by at most a factor of e per alpha or so inherits it as a relative
+    /// error.
     pub(crate) fn blur(&self, reach: f64) -> f64 {
         let [minor, major] = self.ellipse.widths();
         let mean = self.mean[0].abs() + self.mean[1].abs();

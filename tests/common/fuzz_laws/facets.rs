@@ -1,5 +1,5 @@
-//! Facets: every number of a pixel is one, in range, whatever surface, pixel, map, kernel and direction; bytes of no
-//! dictionary are refused.
+//! Facets: every number of a pixel is one, in range, whatever surface, pixel, map, kernel and
+//! direction; bytes of no dictionary are refused.
 
 use super::bytes::Bytes;
 use lobe::material::cells::Patch;

@@ -1,4 +1,5 @@
-//! Glints: every number of a pixel is one, in range, whatever material, pixel, map, kernel, half vector and light.
+//! Glints: every number of a pixel is one, in range, whatever material, pixel, map, kernel, half
+//! vector and light.
 
 use super::bytes::Bytes;
 use lobe::material::cells::Patch;

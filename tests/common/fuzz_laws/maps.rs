@@ -1,5 +1,6 @@
-//! Maps and what is made of them: slopes within their cap, moments valid at every level and everywhere between, layers
-//! and stored texels valid, displaced surfaces finite, whatever the numbers.
+//! Maps and what is made of them: slopes within their cap, moments valid at every level and
+//! everywhere between, layers and stored texels valid, displaced surfaces finite, whatever the
+//! numbers.
 
 use super::bytes::Bytes;
 use super::valid;

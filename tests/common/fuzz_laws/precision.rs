@@ -139,7 +139,8 @@ impl Scene {
         let error = (f64::from(got) - nearest).abs() / scale;
         assert!(
             valid && error <= limit,
-            "{name} = {got:e}, in f64 {expected:e}: error {error:.1e} above {limit:e}; {of:?}, {self:?}"
+            "{name} = {got:e}, in f64 {expected:e}: error {error:.1e} above {limit:e}; {of:?}, \
+                {self:?}"
         );
     }
 }

@@ -15,12 +15,14 @@ use lobe::{Error, Real};
 
 /// Evaluates `quantity` on every row of `table` in the precision `R`.
 ///
-/// Inputs that `R` does not hold are rounded to it, and the row's expected values are moved to the rounded inputs by the library
-/// itself in f64, $expected + f_{64}(rounded) - f_{64}(given)$. The difference is small and its error that of f64, which is
-/// judged apart, against the expected values as they stand; so what is judged in `R` is neither the user's rounding nor
-/// the library's in f64. Rows are left out and counted whose rounded inputs the library refuses, have a zero for what
-/// is none, or have an expected value beyond the range of `R`; and rows of which the move says nothing, because its
-/// roundings, four epsilons of f64 times $|expected| + |f_{64}(given)|$, exceed 1e-9 of the largest moved value.
+/// Inputs that `R` does not hold are rounded to it, and the row's expected values are moved to the
+/// rounded inputs by the library itself in f64, $expected + f_{64}(rounded) - f_{64}(given)$. The
+/// difference is small and its error that of f64, which is judged apart, against the expected
+/// values as they stand; so what is judged in `R` is neither the user's rounding nor the library's
+/// in f64. Rows are left out and counted whose rounded inputs the library refuses, have a zero for
+/// what is none, or have an expected value beyond the range of `R`; and rows of which the move says
+/// nothing, because its roundings, four epsilons of f64 times $|expected| + |f_{64}(given)|$,
+/// exceed 1e-9 of the largest moved value.
 ///
 /// An error is one line that names the file, and line and row that were refused.
 pub(crate) fn evaluate<R: Real>(table: &Table, quantity: &Quantity) -> Result<Outcome, String> {
@@ -62,7 +64,8 @@ pub(crate) fn evaluate<R: Real>(table: &Table, quantity: &Quantity) -> Result<Ou
     Ok(Outcome::of(&deviations, rounded))
 }
 
-/// Whether moved values are within the range of `R`, and the roundings of the move below 1e-9 of the largest.
+/// Whether moved values are within the range of `R`, and the roundings of the move below 1e-9 of
+/// the largest.
 fn is_trusted<R: Real>(moved: &[f64], expected: &[f64], here: &[f64]) -> bool {
     let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let scale = largest(moved).max(R::MIN_POSITIVE.to_f64());

@@ -27,7 +27,8 @@ pub(crate) fn number(text: &str) -> Result<f64, &'static str> {
     Ok(value)
 }
 
-/// The f64 nearest to hexadecimal digits with a point and a binary exponent, either of which may be missing; ties to even.
+/// The f64 nearest to hexadecimal digits with a point and a binary exponent, either of which may be
+/// missing; ties to even.
 fn hexadecimal(digits: &str) -> Option<f64> {
     let (mantissa, exponent) = match digits.split_once(['p', 'P']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
@@ -37,7 +38,8 @@ fn hexadecimal(digits: &str) -> Option<f64> {
     if whole.is_empty() && fraction.is_empty() {
         return None;
     }
-    // 60 bits, the last of which says whether anything follows: more than any rounding to 53 looks at.
+    // 60 bits, the last of which says whether anything follows: more than any rounding to 53 looks
+    // at.
     let (mut bits, mut exponent) = (0_u64, i64::from(exponent));
     exponent -= 4 * i64::try_from(fraction.len()).ok()?;
     for digit in whole.chars().chain(fraction.chars()) {
@@ -59,7 +61,8 @@ fn scaled(bits: u64, exponent: i64) -> f64 {
         return 0.0;
     }
     if width + exponent > -1022 {
-        // The first factor rounds to 53 bits, the others are powers of two that leave a normal number, or infinity.
+        // The first factor rounds to 53 bits, the others are powers of two that leave a normal
+        // number, or infinity.
         let half = (exponent / 2).min(1000) as i32;
         let rest = (exponent - i64::from(half)).min(1000) as i32;
         return bits as f64 * f64::powi(2.0, half) * f64::powi(2.0, rest);

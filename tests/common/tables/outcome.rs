@@ -58,7 +58,8 @@ pub(crate) struct Rounded {
     pub(crate) rows: usize,
     /// Index of the first row, and of its first input.
     pub(crate) first: Option<[usize; 2]>,
-    /// Rows among them whose rounded inputs are refused or whose moved values say nothing: no deviation counts them.
+    /// Rows among them whose rounded inputs are refused or whose moved values say nothing: no
+    /// deviation counts them.
     pub(crate) refused: usize,
 }
 

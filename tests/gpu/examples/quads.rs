@@ -1,7 +1,9 @@
-//! Pictures of what the GPU draws: filters at 1 sample per pixel, and footprints by quads against Kaplanyan's matrix.
+//! Pictures of what the GPU draws: filters at 1 sample per pixel, and footprints by quads against
+//! Kaplanyan's matrix.
 //!
-//! `cargo run --release -p lobe-gpu --example quads -- --out target/gpu`. On the first Vulkan driver, lavapipe where it is
-//! there; `VK_DRIVER_FILES` chooses. Exit status: 0, or 2 for what cannot be drawn or written; then nothing is written.
+//! `cargo run --release -p lobe-gpu --example quads -- --out target/gpu`. On the first Vulkan
+//! driver, lavapipe where it is there; `VK_DRIVER_FILES` chooses. Exit status: 0, or 2 for what
+//! cannot be drawn or written; then nothing is written.
 #![allow(
     clippy::incompatible_msrv,
     reason = "a check of the tests, and as new a compiler as theirs"
@@ -24,7 +26,8 @@ use lobe_gpu::Gpu;
 use lobe_report::shot::{Shot, non_overlap};
 use say::say;
 
-/// Draw two scenes of the report on the GPU, and how far footprints by quads are from Kaplanyan's matrix.
+/// Draw two scenes of the report on the GPU, and how far footprints by quads are from Kaplanyan's
+/// matrix.
 #[derive(Parser)]
 struct Options {
     /// The folder to write pictures into.
@@ -100,8 +103,8 @@ fn shaded(stage: &Stage) -> Result<Vec<u8>, String> {
     strip(shot.width, &shown.collect::<Vec<_>>())
 }
 
-/// Where quads and the matrix M disagree: by their sides, and by the areas that they cover (Kaplanyan et al. 2016,
-/// Fig. 7).
+/// Where quads and the matrix M disagree: by their sides, and by the areas that they cover
+/// (Kaplanyan et al. 2016, Fig. 7).
 fn footprints(stage: &Stage) -> Result<Vec<u8>, String> {
     let shot = stage.shot;
     let (quad, matrix) = (stage.picture(QUAD)?, stage.picture(MATRIX)?);
@@ -121,10 +124,12 @@ fn footprints(stage: &Stage) -> Result<Vec<u8>, String> {
         print(&format!("  {what:30} {median:9.4} {high:9.4} {:9.2} %", 100.0 * share));
     }
     print(
-        "Left sides, right areas: dark blue 0.001 and less, purple 0.01, orange 0.1, yellow 1 and more;",
+        "Left sides, right areas: dark blue 0.001 and less, purple 0.01, orange 0.1, yellow 1 and \
+            more;",
     );
     print(
-        "gray where half vectors are below the horizon and both footprints zero, which counts as 0 above.",
+        "gray where half vectors are below the horizon and both footprints zero, which counts as \
+            0 above.",
     );
     let colored = |values: &Vec<f64>| {
         let pixels = values.iter().zip(&shot.judged);

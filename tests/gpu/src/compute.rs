@@ -26,7 +26,8 @@ pub struct Job<'a> {
     pub inputs: usize,
     /// Floats that one item writes, at least 1.
     pub outputs: usize,
-    /// Nodes of the dictionary that the library reads, from a buffer or a texture; none if it reads none.
+    /// Nodes of the dictionary that the library reads, from a buffer or a texture; none if it reads
+    /// none.
     pub dictionary: &'a [[f32; 2]],
 }
 

@@ -1,8 +1,9 @@
-//! The WGSL port as a program of the system's C++ compilers: WGSL through naga to Metal's language, and a header that
-//! stands in for Metal's standard library.
+//! The WGSL port as a program of the system's C++ compilers: WGSL through naga to Metal's language,
+//! and a header that stands in for Metal's standard library.
 //!
-//! Metal's compiler may assume that no number is NaN or infinite and take sums in any order, and so may those of HLSL.
-//! No such compiler runs here; `-ffast-math` allows a C++ compiler the same, and Clang shares its optimizer with Metal's.
+//! Metal's compiler may assume that no number is NaN or infinite and take sums in any order, and so
+//! may those of HLSL. No such compiler runs here; `-ffast-math` allows a C++ compiler the same, and
+//! Clang shares its optimizer with Metal's.
 
 use std::fmt::Write as _;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -31,8 +32,9 @@ const WORDS: usize = 64;
 /// Words that a dictionary may have, as `main.hpp` has it.
 const DICTIONARY_WORDS: usize = 1 << 16;
 
-/// The C++ compilers of the system: `$CXX` alone where it is set, else `c++` and `clang++` as far as they are there. An
-/// ordinary run takes `clang++`, which assumes more, and `c++` only where that is missing.
+/// The C++ compilers of the system: `$CXX` alone where it is set, else `c++` and `clang++` as far
+/// as they are there. An ordinary run takes `clang++`, which assumes more, and `c++` only where
+/// that is missing.
 ///
 /// # Panics
 ///
@@ -65,8 +67,9 @@ pub struct Program {
 }
 
 impl Program {
-    /// Compiles `twins` with `flags` to a file in `folder`, whose name ends in a hash of compiler, flags and source, and
-    /// leaves the source beside it. A program that is there already is not compiled again.
+    /// Compiles `twins` with `flags` to a file in `folder`, whose name ends in a hash of compiler,
+    /// flags and source, and leaves the source beside it. A program that is there already is not
+    /// compiled again.
     ///
     /// # Errors
     ///
@@ -179,7 +182,8 @@ fn text(twins: &[Twin]) -> Result<String, String> {
     let words = 2 * dictionary().len();
     assert!(words <= DICTIONARY_WORDS, "the dictionary has {words} words, main.hpp takes fewer");
     Ok(format!(
-        "{METAL}\n{metal}\n{MAIN}\nint main() {{\n    read_words(dictionary_words, {words});\n{calls}}}\n"
+        "{METAL}\n{metal}\n{MAIN}\nint main() {{\n    read_words(dictionary_words, \
+            {words});\n{calls}}}\n"
     ))
 }
 

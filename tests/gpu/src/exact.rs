@@ -22,7 +22,8 @@ mod op {
 /// The decoration NoContraction.
 const NO_CONTRACTION: u32 = 42;
 
-/// Forbids drivers to rewrite any float instruction: each is rounded once, in the order of the text.
+/// Forbids drivers to rewrite any float instruction: each is rounded once, in the order of the
+/// text.
 pub fn no_contraction(words: &mut Vec<u32>) {
     let mut float_types = Vec::new();
     let mut decorations = Vec::new();

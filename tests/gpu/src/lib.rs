@@ -1,10 +1,12 @@
 //! WGSL on Vulkan drivers, for tests: the shaders of `lobe` against its Rust code.
 //!
-//! Two ways lead from WGSL to a driver. [`Mode::Shipped`] is what engines do: wgpu compiles the text,
-//! and driver compilers may rewrite float arithmetic, so results are compared within tolerances.
-//! [`Mode::Exact`] forbids every rewrite: results of + - * / and sqrt equal Rust's f32 bit for bit.
+//! Two ways lead from WGSL to a driver. [`Mode::Shipped`] is what engines do: wgpu compiles the
+//! text, and driver compilers may rewrite float arithmetic, so results are compared within
+//! tolerances. [`Mode::Exact`] forbids every rewrite: results of + - * / and sqrt equal Rust's f32
+//! bit for bit.
 //!
-//! The drivers are lavapipe, which tests need, and SwiftShader and real GPUs where they are present.
+//! The drivers are lavapipe, which tests need, and SwiftShader and real GPUs where they are
+//! present.
 
 pub mod compute;
 pub mod cpp;

@@ -41,8 +41,8 @@ pub struct Painter {
 impl Painter {
     /// Compiles `fragment`, which holds an entry point `fragment` that returns `vec4<f32>`.
     ///
-    /// Even sizes make all quads whole. The buffers of `storage` are `var<storage, read>` at bindings 0, 1, ... of group
-    /// 0, declared by the text.
+    /// Even sizes make all quads whole. The buffers of `storage` are `var<storage, read>` at
+    /// bindings 0, 1, ... of group 0, declared by the text.
     ///
     /// # Errors
     ///

@@ -1,7 +1,7 @@
 //! What a shader costs: CPU time of this process, and the GPU's own clock.
 //!
-//! On software drivers wall time and timestamps vary by a factor of 2. CPU time is good to about 5 %
-//! if works take turns, the least of many rounds counts, and the driver has no threads of its own
+//! On software drivers wall time and timestamps vary by a factor of 2. CPU time is good to about 5
+//! % if works take turns, the least of many rounds counts, and the driver has no threads of its own
 //! (`LP_NUM_THREADS=0` before the first device opens).
 
 use wgpu::{

@@ -1,4 +1,5 @@
-//! The WGSL port in engines: its files through their linkers, its presets in the languages of others.
+//! The WGSL port in engines: its files through their linkers, its presets in the languages of
+//! others.
 
 use crate::entry::{Device, Entry, Shader, entry, names, parse};
 use crate::translate::{Language, Translation, translate};
@@ -12,14 +13,16 @@ use naga_oil::compose::{ComposableModuleDescriptor, Composer, NagaModuleDescript
 use std::collections::BTreeSet;
 use wesl::{CompileOptions, ManglerKind, ModulePath, VirtualResolver, Wesl};
 
-/// Every preset and every file, with its items; in an ordinary run one in three of them, from all floors.
+/// Every preset and every file, with its items; in an ordinary run one in three of them, from all
+/// floors.
 fn requests() -> Vec<(&'static str, Vec<Item>)> {
     let presets = Preset::ALL.iter().map(|preset| (preset.name(), preset.items().to_vec()));
     let files = Item::ALL.iter().filter(|item| item.module().is_some());
     presets.chain(files.map(|item| (item.name(), vec![*item]))).step_by(size(3, 1)).collect()
 }
 
-/// Statements that bring the names of the WGSL port in a text: each begins with `start`, and ends with `end`.
+/// Statements that bring the names of the WGSL port in a text: each begins with `start`, and ends
+/// with `end`.
 fn imports(text: &str, start: &str, end: &str) -> String {
     let words: BTreeSet<&str> = text.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let lines = Module::ALL.iter().map(|module| {
@@ -138,7 +141,8 @@ fn glslang(text: &str, stage: ShaderStage, options: &[&str]) -> Option<Result<St
     ask("glslangValidator", &arguments, text.as_bytes())
 }
 
-/// Another compiler's opinion of a translation: `None` where it is not installed, or there is none for it.
+/// Another compiler's opinion of a translation: `None` where it is not installed, or there is none
+/// for it.
 fn opinion(
     translation: &Translation,
     stage: ShaderStage,
@@ -160,11 +164,12 @@ fn opinion(
     }
 }
 
-/// Items of one text: glslang's time to legalize HLSL grows with its square, and for all items is a minute.
+/// Items of one text: glslang's time to legalize HLSL grows with its square, and for all items is a
+/// minute.
 const ITEMS: usize = 40;
 
-/// Every item in some text of many: those that take derivatives apart, so that others run in compute shaders. In a long run
-/// every preset, too, and one in three in an ordinary run.
+/// Every item in some text of many: those that take derivatives apart, so that others run in
+/// compute shaders. In a long run every preset, too, and one in three in an ordinary run.
 fn shaders() -> Vec<(&'static str, Vec<Item>)> {
     let presets = Preset::ALL.iter().map(|preset| (preset.name(), preset.items().to_vec()));
     let (fragment, compute): (Vec<Item>, Vec<Item>) =

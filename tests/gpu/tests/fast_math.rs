@@ -1,11 +1,14 @@
-//! Every function of the WGSL port as compilers make it that assume numbers: no NaN, no infinity, sums in any order.
+//! Every function of the WGSL port as compilers make it that assume numbers: no NaN, no infinity,
+//! sums in any order.
 //!
-//! Metal's and Direct3D's compilers do so by default. Here naga writes Metal's language, and the system's C++ compilers
-//! build it with `-ffast-math` (see [`lobe_gpu::cpp`]): a guard that waits for a NaN or an infinity does not fire there,
-//! and a sum whose rounding matters is folded. The program without `-ffast-math` is equal to Rust to the bit, so that
-//! whatever differs is the compiler's doing.
+//! Metal's and Direct3D's compilers do so by default. Here naga writes Metal's language, and the
+//! system's C++ compilers build it with `-ffast-math` (see [`lobe_gpu::cpp`]): a guard that waits
+//! for a NaN or an infinity does not fire there, and a sum whose rounding matters is folded. The
+//! program without `-ffast-math` is equal to Rust to the bit, so that whatever differs is the
+//! compiler's doing.
 //!
-//! Inputs that are NaN or infinite are left out: a compiler that was promised numbers owes nothing for them.
+//! Inputs that are NaN or infinite are left out: a compiler that was promised numbers owes nothing
+//! for them.
 #![allow(clippy::incompatible_msrv, reason = "tests need a newer compiler, for their oracles")]
 
 use std::path::Path;
@@ -20,14 +23,16 @@ const COUNT: usize = 2000;
 
 /// How many scales a result may be off.
 ///
-/// A scale counts one rounding, half an ulp, for each operation, and Rust's result is within one scale. Quotients and roots
-/// by an estimate and a step of Newton's method, which `-ffast-math` allows, are within the 2.5 ulp that WebGPU asks of
-/// drivers, 5 roundings in place of one; and a sum in another order rounds numbers of up to twice the size. That is 1 + 2 *
+/// A scale counts one rounding, half an ulp, for each operation, and Rust's result is within one
+/// scale. Quotients and roots by an estimate and a step of Newton's method, which `-ffast-math`
+/// allows, are within the 2.5 ulp that WebGPU asks of drivers, 5 roundings in place of one; and a
+/// sum in another order rounds numbers of up to twice the size. That is 1 + 2 *
 /// 5. Measured where no branch falls otherwise: 2.0 by GCC 12, 3.8 by Clang 14.
 const K: f64 = 11.0;
 
-/// The largest share of inputs whose result may be off by more than `K` scales, in functions that state no share: rounding
-/// may decide a branch the other way (is a matrix singular?), and the scale knows only the branch that Rust took.
+/// The largest share of inputs whose result may be off by more than `K` scales, in functions that
+/// state no share: rounding may decide a branch the other way (is a matrix singular?), and the
+/// scale knows only the branch that Rust took.
 const FLIPS: f64 = 0.002;
 
 /// Compilers, each with the twins as a program with and without `-ffast-math`.
@@ -49,8 +54,8 @@ static BUILT: LazyLock<Built> = LazyLock::new(|| {
     Built { twins, programs }
 });
 
-/// Runs `law` on the twins with the answers of both programs, strict and fast, of each compiler, and collects what it
-/// complains of.
+/// Runs `law` on the twins with the answers of both programs, strict and fast, of each compiler,
+/// and collects what it complains of.
 fn each(
     inputs: impl Fn(&Twin) -> Vec<f32>,
     law: impl Fn(&Twin, &[f32], [&[f32]; 2]) -> Result<(), String>,
@@ -150,14 +155,14 @@ fn ordinary_inputs_within_the_tolerance() {
     each(|twin| twin.draw(COUNT), within);
 }
 
-/// How many floats of a group, from its first, may be 0 in Rust: a mirror, a kernel or footprint without extent, the zero
-/// vector.
+/// How many floats of a group, from its first, may be 0 in Rust: a mirror, a kernel or footprint
+/// without extent, the zero vector.
 fn may_vanish(twin: &Twin, input: Input) -> usize {
     match input {
         // Alphas, before shares of them.
         Input::Biscale | Input::Glints => 2,
-        // A roughness, before numbers of facets. A mirror's kernel is cut into thousands of pieces: which of them is drawn
-        // is said by the last bit.
+        // A roughness, before numbers of facets. A mirror's kernel is cut into thousands of pieces:
+        // which of them is drawn is said by the last bit.
         Input::Facets if !twin.name.contains("_sample") => 3,
         // Of two weights that are 0 there is no mean.
         Input::Unit | Input::Alpha if twin.name == "slope_moments_merged" => 0,
@@ -212,8 +217,8 @@ fn mirrors_and_zero_kernels_within_the_tolerance() {
     each(vanishing, within);
 }
 
-/// An alpha of 0 is a mirror, whose density and BRDF are 0 everywhere. A Beckmann guarded by the NaN of its exponent
-/// had 3.4e38 here.
+/// An alpha of 0 is a mirror, whose density and BRDF are 0 everywhere. A Beckmann guarded by the
+/// NaN of its exponent had 3.4e38 here.
 #[test]
 fn a_mirror_is_dark() {
     let mirror = |twin: &Twin| {
@@ -268,8 +273,8 @@ fn no_finite_input_gives_nan() {
     });
 }
 
-/// Fourth powers of what is beyond 1e9, or below 1e-9, leave the range of f32 in one order of factors and not in another:
-/// the law holds for the sizes that constructors take, and for 0.
+/// Fourth powers of what is beyond 1e9, or below 1e-9, leave the range of f32 in one order of
+/// factors and not in another: the law holds for the sizes that constructors take, and for 0.
 #[test]
 fn no_moderate_input_gives_infinity() {
     let moderate = |twin: &Twin| {

@@ -1,4 +1,5 @@
-//! The WGSL port on Vulkan drivers and in engines' linkers: one binary, so that wgpu is linked once.
+//! The WGSL port on Vulkan drivers and in engines' linkers: one binary, so that wgpu is linked
+//! once.
 
 #[allow(dead_code, reason = "shared with the example wgsl")]
 #[path = "../../../examples/wgsl/entry.rs"]

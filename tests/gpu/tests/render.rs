@@ -1,5 +1,5 @@
-//! The report's scenes drawn by fragment shaders, on every driver that is there: what the report's own renderer
-//! computes, at 1 sample per pixel, from the same numbers.
+//! The report's scenes drawn by fragment shaders, on every driver that is there: what the report's
+//! own renderer computes, at 1 sample per pixel, from the same numbers.
 //!
 //! The tolerances are for GPUs that fuse a * b + c and miss quotients by an ulp or two.
 #![allow(clippy::incompatible_msrv, reason = "tests need a newer compiler, for their oracles")]
@@ -34,7 +34,8 @@ fn stages() -> impl Iterator<Item = Stage<'static>> {
     SHOTS.iter().flat_map(|shot| Gpu::every().iter().map(move |gpu| Stage { shot, gpu }))
 }
 
-/// A pixel of the picture, the one beside it and the one below or above in its quad; its column and row.
+/// A pixel of the picture, the one beside it and the one below or above in its quad; its column and
+/// row.
 fn quad(shot: &Shot, index: usize) -> ([&Seen; 3], [usize; 2]) {
     let (x, y) = (index % shot.width, index / shot.width);
     (shot.quad(x, y), [x, y])
@@ -44,7 +45,8 @@ fn minus<const N: usize>(a: [f32; N], b: [f32; N]) -> [f32; N] {
     std::array::from_fn(|k| a[k] - b[k])
 }
 
-/// The report's footprint with the signs of derivatives: in odd columns and rows its sides point the other way.
+/// The report's footprint with the signs of derivatives: in odd columns and rows its sides point
+/// the other way.
 fn derivatives(shot: &Shot, index: usize) -> [f32; 4] {
     let [u, v] = shot.footprints[index];
     let [s, t] = quad(shot, index).1.map(|place| if place % 2 == 1 { -1.0 } else { 1.0 });
@@ -75,7 +77,8 @@ fn quad_differences_are_the_report_s() {
             plainly += usize::from(plain[index] == want);
         }
         println!(
-            "{}, {name}: {equal} pixels equal to the bit, {plainly} by plain dpdx, {edges} at an edge",
+            "{}, {name}: {equal} pixels equal to the bit, {plainly} by plain dpdx, {edges} at an \
+                edge",
             shot.name
         );
         // Edges of balls: a half vector above its horizon beside one that is not.
@@ -98,13 +101,15 @@ fn filters_mend_as_much_as_the_report_says() {
                 if got == want { 0.0 } else { (got - want).abs() / want.abs() }
             });
             let off: Vec<f64> = off.collect();
-            // Means over footprints miss by up to 5e-4 in rare branches, and take over what slopes miss.
+            // Means over footprints miss by up to 5e-4 in rare branches, and take over what slopes
+            // miss.
             let share = off.iter().filter(|&&off| !(off <= 1e-4)).count() as f64 / off.len() as f64;
             let ratio = errors[k] / errors[0];
             let stated = method.errors.rmse / shot.plain.errors.rmse;
             let most = Spread::of(&off, &shot.judged).most;
             println!(
-                "{}, {name}, {}: RMSE {:.4}, {ratio:.4} of the unfiltered one, {stated:.4} in the report; {:.3} % of \
+                "{}, {name}, {}: RMSE {:.4}, {ratio:.4} of the unfiltered one, {stated:.4} in the \
+                    report; {:.3} % of \
                  pixels differ by more than 1e-4, at most {most:.1e}",
                 shot.name,
                 method.name,
@@ -189,7 +194,8 @@ fn patches_are_those_of_the_quad_s_coordinates() {
     }
 }
 
-/// Kaplanyan et al. 2016, Fig. 7: the matrix M from positions, distances and curvature, against `dpdx`.
+/// Kaplanyan et al. 2016, Fig. 7: the matrix M from positions, distances and curvature, against
+/// `dpdx`.
 #[test]
 fn footprints_by_matrix_and_by_quad_disagree_as_much_as_the_report_says() {
     for stage in stages().filter(|stage| std::ptr::eq(stage.shot, &raw const SHOTS[0])) {

@@ -1,16 +1,19 @@
 //! Every function of the WGSL port against its Rust twin, on every driver that is there.
 //!
-//! **Exact mode**: no operation fused, folded or reordered; equal to Rust's f32 to the bit. Only the sign of zero is free,
-//! and results below the smallest normal number, which a driver may flush.
+//! **Exact mode**: no operation fused, folded or reordered; equal to Rust's f32 to the bit. Only
+//! the sign of zero is free, and results below the smallest normal number, which a driver may
+//! flush.
 //!
-//! **As shipped**: the text as wgpu hands it to the driver, whose compiler may fuse and reorder. |gpu - rust| <= k 2^-24
-//! scale, where the scale of an input is what [`Rounded`](lobe::probe::Rounded) says: the sum over all operations of
-//! what one more rounding of each could change. k is [`K`] for every function.
+//! **As shipped**: the text as wgpu hands it to the driver, whose compiler may fuse and
+//! reorder. |gpu - rust| <= k 2^-24 scale, where the scale of an input is what
+//! [`Rounded`](lobe::probe::Rounded) says: the sum over all operations of what one more rounding of
+//! each could change. k is [`K`] for every function.
 //!
 //! **Fused**: Rust with every a * b + c fused, as real GPUs do, within the same.
 //!
-//! Where a function decides (a cell, a bin, a count), a result jumps on the few inputs that one rounding more decides
-//! otherwise. A twin says how many at most ([`Twin::flips`]); they are counted, and in exact mode there are none.
+//! Where a function decides (a cell, a bin, a count), a result jumps on the few inputs that one
+//! rounding more decides otherwise. A twin says how many at most ([`Twin::flips`]); they are
+//! counted, and in exact mode there are none.
 #![allow(clippy::incompatible_msrv, reason = "tests need a newer compiler, for their oracles")]
 
 use lobe::probe::Rounded;
@@ -73,7 +76,8 @@ fn exact_mode_equals_rust_to_the_bit() {
     });
 }
 
-/// SwiftShader flushes subnormal numbers, on the way to a result, too. What that changes is rare, and within the scale.
+/// SwiftShader flushes subnormal numbers, on the way to a result, too. What that changes is rare,
+/// and within the scale.
 #[test]
 fn exact_mode_on_swiftshader_but_for_subnormal_numbers() {
     /// One input in this many may meet a subnormal number.
@@ -105,8 +109,8 @@ fn exact_mode_on_swiftshader_but_for_subnormal_numbers() {
     }
 }
 
-/// A tolerance that allows anything proves nothing: half of a twin's results are held to this many ulp, and only this
-/// share of them to nothing.
+/// A tolerance that allows anything proves nothing: half of a twin's results are held to this many
+/// ulp, and only this share of them to nothing.
 const LOOSEST: f64 = 1000.0;
 const UNBOUNDED: f64 = 0.05;
 
@@ -173,7 +177,8 @@ impl Tally {
         let median = self.ulps.get(self.ulps.len() / 2).copied().unwrap_or(0.0);
         let (results, unbounded) = (self.results, self.unbounded);
         let text = format!(
-            "{:.2} of the tolerance, whose median is {median:.1} ulp; {unbounded} of {results} unbounded{}",
+            "{:.2} of the tolerance, whose median is {median:.1} ulp; {unbounded} of {results} \
+                unbounded{}",
             self.worst,
             flipped(twin, self.wrong)
         );
@@ -185,8 +190,8 @@ impl Tally {
     }
 }
 
-/// How many inputs of a twin that decides may jump. The inputs of an ordinary run are few: it may meet more than its share
-/// of the jumps of a long one, by three deviations.
+/// How many inputs of a twin that decides may jump. The inputs of an ordinary run are few: it may
+/// meet more than its share of the jumps of a long one, by three deviations.
 fn most_flips(twin: &Twin) -> f64 {
     let share = twin.flips * count() as f64;
     share + size(3.0 * share.sqrt(), 0.0)
@@ -224,7 +229,8 @@ fn as_shipped_within_the_tolerance() {
     shipped_on(Gpu::lavapipe());
 }
 
-/// Chromium's driver and real GPUs, where they are there. Both flush subnormal numbers, and what comes of them.
+/// Chromium's driver and real GPUs, where they are there. Both flush subnormal numbers, and what
+/// comes of them.
 #[test]
 fn other_drivers_within_the_tolerance() {
     for gpu in Gpu::every().iter().filter(|gpu| gpu.kind() != Driver::Lavapipe) {
@@ -262,8 +268,8 @@ fn no_input_gives_nan() {
     }
 }
 
-/// A slope or direction that is NaN is seen nowhere: not in the middle of the lobe, where a 0 in its place would be.
-/// (Of an area without extent Beckmann leaves 3e-20.)
+/// A slope or direction that is NaN is seen nowhere: not in the middle of the lobe, where a 0 in
+/// its place would be. (Of an area without extent Beckmann leaves 3e-20.)
 #[test]
 fn nan_is_no_highlight() {
     let seen =

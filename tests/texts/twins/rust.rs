@@ -1,4 +1,5 @@
-//! Functions and constants of a Rust file, read without a parser: rustfmt has put each where it can be found.
+//! Functions and constants of a Rust file, read without a parser: rustfmt has put each where it can
+//! be found.
 
 /// A function: where it lives, whether callers of the crate see it, and its names in WGSL.
 #[derive(Clone, Debug)]
@@ -11,7 +12,8 @@ pub(crate) struct Function {
 }
 
 impl Function {
-    /// True if a twin of the WGSL port that names `twin` means it. Distributions and shapes stand for their trait.
+    /// True if a twin of the WGSL port that names `twin` means it. Distributions and shapes stand
+    /// for their trait.
     pub(crate) fn is(&self, twin: &str) -> bool {
         const TRAITS: [(&str, &[&str]); 2] = [
             ("Distribution", &["GgxDistribution", "BeckmannDistribution"]),
@@ -25,7 +27,8 @@ impl Function {
     }
 }
 
-/// The type or trait that an `impl` or `trait` line is about, and whether its methods are public by themselves.
+/// The type or trait that an `impl` or `trait` line is about, and whether its methods are public by
+/// themselves.
 fn home(line: &str) -> Option<(String, bool)> {
     let words = |text: &str| -> Option<String> {
         let name: String =
@@ -111,7 +114,8 @@ pub(crate) fn functions(text: &str) -> Vec<Function> {
     found
 }
 
-/// The numbers of a constant, in f32: products and quotients of literals, or every literal of an array.
+/// The numbers of a constant, in f32: products and quotients of literals, or every literal of an
+/// array.
 pub(crate) fn value(text: &str, name: &str) -> Option<Vec<f32>> {
     let base = name.trim_start_matches("Self::");
     let start = text.find(&format!("const {base}: "))?;

@@ -78,7 +78,8 @@ fn texels_outside_of_islands_count_for_nothing() {
             );
             // Nothing steep is left: black is a slope of 1.41.
             assert!(description["steepest"].as_f64().expect("a slope") < 0.1);
-            // A texel of level 2 that covers nothing has the moments of level 3, which covers a part of the island.
+            // A texel of level 2 that covers nothing has the moments of level 3, which covers a
+            // part of the island.
             let quarter: Vec<_> = (0..SIDE as usize / 2)
                 .flat_map(|row| texels[row * SIDE as usize..][..SIDE as usize / 2].to_vec())
                 .collect();
@@ -116,8 +117,8 @@ fn clipping_is_told_with_what_may_have_caused_it() {
                  alpha is 0 in 33.3 % of all texels, which --coverage leaves out";
     assert_eq!(warnings[0], first);
     assert_eq!(warned(&input, &out, &["--coverage"]).1, [""; 0]);
-    // Islands on white, whose slope no cap shortens, and on the neutral color: alpha that looks like a mask is told of,
-    // alpha that has all values is not.
+    // Islands on white, whose slope no cap shortens, and on the neutral color: alpha that looks
+    // like a mask is told of, alpha that has all values is not.
     for around in [255, 128] {
         let island = |k: u32, clear: u8| {
             if k % 3 == 0 {
@@ -138,7 +139,8 @@ fn clipping_is_told_with_what_may_have_caused_it() {
         let (_, warnings) = warned(&input, &out, &[]);
         assert!(warnings.iter().all(|line| !line.contains("alpha is 0")), "{warnings:?}");
     }
-    // A soft border of as many texels as an eighth of the map; an alpha that is 0 everywhere masks nothing.
+    // A soft border of as many texels as an eighth of the map; an alpha that is 0 everywhere masks
+    // nothing.
     let soft = |k: u32| {
         [120 + (k % 16) as u8, 128, 254, [0, 0, 90, 255, 255, 255, 255, 255][k as usize % 8]]
     };

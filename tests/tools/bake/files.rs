@@ -150,7 +150,8 @@ fn heights_have_any_depth() {
     let (input, out) = (folder.join("height.png"), folder.join("moments"));
     let options = ["--height", "0.5", "--texel", "0.25"];
     let codes: Vec<u8> = (0..15_u8).map(|k| k * k % 3).collect();
-    // Of 2 bits 0, 1, 2 are 0, 85, 170 of 255; a gray picture in colors and in a palette is one, too.
+    // Of 2 bits 0, 1, 2 are 0, 85, 170 of 255; a gray picture in colors and in a palette is one,
+    // too.
     let wide: Vec<u8> = codes.iter().map(|&k| 85 * k).collect();
     let packed: Vec<u8> = codes
         .chunks_exact(5)
@@ -197,7 +198,8 @@ fn damage_anywhere_is_refused() {
         fs::write(&input, file).expect("a file");
         complains(&bake(&input, &out, &[]), &["normal.png: "]);
     }
-    // Pixels under a chunk's right checksum: their own sum wrong, in a chunk of its own, cut, absent.
+    // Pixels under a chunk's right checksum: their own sum wrong, in a chunk of its own, cut,
+    // absent.
     let sums = [
         whole(&[(b"IDAT", damaged())]),
         whole(&cut(&damaged(), 4)),

@@ -1,4 +1,5 @@
-//! Maps that are not what they are read as: heights, two channels, a flat color that is not flat, y turned.
+//! Maps that are not what they are read as: heights, two channels, a flat color that is not flat, y
+//! turned.
 
 use super::picture::{SIZE, picture, rgb, texels};
 use super::{bake, baked, complains, described, expected, folder, holds, warned};
@@ -167,7 +168,8 @@ fn layouts_of_two_channels_are_pointed_out() {
     write(&|[x, y, _]| [255, y, 255, x]);
     assert_eq!(warned(&input, &out, &["--channels", "ag"]).1, [""; 0]);
     complains(&bake(&input, &out, &["--channels", "rg"]), &["--channels ag"]);
-    // A map with alpha for something else, one whose blue is 255 as it is nearly flat, grooves of constant x.
+    // A map with alpha for something else, one whose blue is 255 as it is nearly flat, grooves of
+    // constant x.
     write(&|[x, y, z]| [x, y, z, x ^ y]);
     assert_eq!(warned(&input, &out, &[]).1, [""; 0]);
     write(&|[x, y, _]| [120 + x / 16, 120 + y / 16, 255, 255]);
@@ -283,7 +285,8 @@ fn a_flat_color_that_is_not_flat_is_pointed_out() {
     assert!((description["mean_slope"][0].as_f64().expect("a number") - mean).abs() < 1e-6);
     assert!((description["deviation"].as_f64().expect("a number") - variance.sqrt()).abs() < 1e-6);
 
-    // The whole of a map encoded as sRGB, which a color picker shows as (188, 188, 255), and of one decoded as sRGB.
+    // The whole of a map encoded as sRGB, which a color picker shows as (188, 188, 255), and of one
+    // decoded as sRGB.
     let encoded = |v: u8| {
         let v = f64::from(v) / 255.0;
         let code = if v > 0.003_130_8 { 1.055 * v.powf(1.0 / 2.4) - 0.055 } else { 12.92 * v };

@@ -28,7 +28,8 @@ impl Body {
         Self::Ball(ball, chart)
     }
 
-    /// Balls of this radius, each with a part of the texture of its own, and a fifth of their width between them.
+    /// Balls of this radius, each with a part of the texture of its own, and a fifth of their width
+    /// between them.
     pub(super) fn beads(radius: f64) -> Self {
         let (ball, chart) = charted(radius);
         Self::Beads(ball, chart, 2.4 * radius)
@@ -40,7 +41,8 @@ impl Body {
             Self::Tube(torus) => torus.charted(ray),
             Self::Ball(ball, chart) => met(ball, chart, ray),
             Self::Beads(ball, chart, pitch) => {
-                // Near enough to parallel: rays cross the middle plane beside the ball that they meet.
+                // Near enough to parallel: rays cross the middle plane beside the ball that they
+                // meet.
                 let [x, _, z] = ray.at(-ray.eye[1] / ray.direction[1]);
                 let place = [x, z].map(|x| (x / pitch).round());
                 let center = [pitch * place[0], 0.0, pitch * place[1]];
@@ -52,7 +54,8 @@ impl Body {
     }
 }
 
-/// Distance of beads on the texture over that in space: charts of a front reach to sqrt(2) radii, so no two share facets.
+/// Distance of beads on the texture over that in space: charts of a front reach to sqrt(2) radii,
+/// so no two share facets.
 const APART: f64 = 1.37;
 
 /// A ball around the origin, and lengths on it.

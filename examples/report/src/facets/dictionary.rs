@@ -5,7 +5,8 @@ use std::sync::LazyLock;
 use lobe::material::multilobe::{Dictionary, Recipe};
 use lobe::{Error, Real};
 
-/// A precision with a dictionary that is generated once: generating one takes longer than most trials.
+/// A precision with a dictionary that is generated once: generating one takes longer than most
+/// trials.
 pub(super) trait Precision: Real {
     fn dictionary() -> Result<&'static Dictionary<Self>, Error>;
 }

@@ -90,7 +90,8 @@ pub(super) const FILTERS: [Method; 9] = [
     sampled(name::SIXTEEN, 4),
 ];
 
-/// On the ball with its normal map: what is known of that, and filters with and without its correlation.
+/// On the ball with its normal map: what is known of that, and filters with and without its
+/// correlation.
 pub(super) const MAPPINGS: [Method; 15] = [
     mapped(name::MEAN, Normals::Mean, Filter::Box(Derivatives::Disk)),
     mapped(name::APART, Normals::Apart, Filter::Box(Derivatives::Disk)),

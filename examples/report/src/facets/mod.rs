@@ -1,7 +1,8 @@
 //! Facets: filters of half vectors and of normal maps, for surfaces of many lobes in a pixel.
 //!
-//! After Chermain et al. 2021. On a bent tube half vectors differ over a pixel, on a ball the normals of a map, on beads both.
-//! Here one surface has one truth, the mean over many points of a pixel, so single pixels compare.
+//! After Chermain et al. 2021. On a bent tube half vectors differ over a pixel, on a ball the
+//! normals of a map, on beads both. Here one surface has one truth, the mean over many points of a
+//! pixel, so single pixels compare.
 
 mod body;
 mod dictionary;
@@ -49,7 +50,8 @@ pub(crate) struct Plan {
 }
 
 impl Plan {
-    /// The least width of a picture: all of the tube's and of the beads'. A narrower one shows no highlight.
+    /// The least width of a picture: all of the tube's and of the beads'. A narrower one shows no
+    /// highlight.
     pub(crate) const LEAST_WIDTH: usize = scenes::DIAMETER;
 
     /// Of a full run.

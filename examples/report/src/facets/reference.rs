@@ -11,12 +11,14 @@ pub(super) struct Reference {
     pub(super) radiance: Vec<f64>,
     /// Pixels that lie on the body with all their points.
     pub(super) judged: Vec<bool>,
-    /// Root mean square over judged pixels of what two halves of the points tell of their mean's error.
+    /// Root mean square over judged pixels of what two halves of the points tell of their mean's
+    /// error.
     pub(super) noise: f64,
 }
 
 impl Reference {
-    /// Jittered points in `side` rows and columns of each pixel; those of a chequerboard make a half.
+    /// Jittered points in `side` rows and columns of each pixel; those of a chequerboard make a
+    /// half.
     pub(super) fn of(stage: &Stage, surface: &Surface<f64>, side: u32) -> Self {
         let width = stage.size.width;
         let pixels: Vec<_> = (0..stage.size.pixels())

@@ -22,17 +22,19 @@ pub(crate) const RADIUS: f64 = 0.5 * DIAMETER as f64;
 const RING: f64 = 0.36;
 const BALL: f64 = 0.46;
 
-/// Texels in a pixel, along either side, where the ball faces the eye; and where the beads do: few enough that half vectors
-/// move by more than the map spreads them.
+/// Texels in a pixel, along either side, where the ball faces the eye; and where the beads do: few
+/// enough that half vectors move by more than the map spreads them.
 pub(crate) const TEXELS: f64 = 8.0;
 pub(crate) const BEAD_TEXELS: f64 = 1.0;
 
-/// Roughness and facets in a pixel of tube and beads: half vectors move by a deviation and more in a pixel, as they do where
-/// highlights are filtered at all, and no single glint decides over the error. Others are in `sweep`.
+/// Roughness and facets in a pixel of tube and beads: half vectors move by a deviation and more in
+/// a pixel, as they do where highlights are filtered at all, and no single glint decides over the
+/// error. Others are in `sweep`.
 const BENT_ALPHA: f64 = 0.1;
 const BENT_FACETS: f64 = 1e4;
 
-/// The same of the ball: little roughness, and the map does the rest; as many facets as a surface far away has.
+/// The same of the ball: little roughness, and the map does the rest; as many facets as a surface
+/// far away has.
 const BALL_ALPHA: f64 = 0.12;
 const BALL_FACETS: f64 = 1e5;
 

@@ -16,8 +16,8 @@ pub(super) struct Load {
     pub(super) rounds: usize,
 }
 
-/// Medians of shading a pixel in f32 for each method, from directions, patch and derivatives that are there: what rays and
-/// differences take is the same for all and left out.
+/// Medians of shading a pixel in f32 for each method, from directions, patch and derivatives that
+/// are there: what rays and differences take is the same for all and left out.
 pub(super) fn times(
     stage: &Stage,
     methods: &[Method],

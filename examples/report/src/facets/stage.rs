@@ -53,7 +53,8 @@ pub(super) struct Seen<R> {
     pub(super) wi: [R; 3],
     /// Of the normal map, about their mean; none without a map.
     pub(super) moments: Option<SlopeMoments<R>>,
-    /// Derivatives to the pixels at the right and above: of the unit half vector's first two components, and of its slope.
+    /// Derivatives to the pixels at the right and above: of the unit half vector's first two
+    /// components, and of its slope.
     pub(super) disk: [[R; 2]; 2],
     pub(super) slope: [[R; 2]; 2],
 }
@@ -74,8 +75,8 @@ impl Stage {
     pub(super) fn pixels(&self, x: f64, y: f64, normals: Normals) -> Option<Vec<Seen<f64>>> {
         let place = self.place(x, y)?;
         let (frame, moments) = self.shading(&place, normals).ok()?;
-        // Each in its own frame of the surface, all of them turned alike to the map's mean: what the map's slopes differ by
-        // is in its moments.
+        // Each in its own frame of the surface, all of them turned alike to the map's mean: what
+        // the map's slopes differ by is in its moments.
         let near = [[STEP, 0.0], [-STEP, 0.0], [0.0, -STEP], [0.0, STEP]]
             .map(|[right, down]| self.place(x + right, y + down));
         let seen = self.lights.iter().map(|&light| {

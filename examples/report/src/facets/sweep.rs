@@ -1,4 +1,5 @@
-//! The published filter's scales over roughness and facets: where a narrow kernel is right, and where a wide one is.
+//! The published filter's scales over roughness and facets: where a narrow kernel is right, and
+//! where a wide one is.
 
 use lobe::Error;
 use serde::Serialize;

@@ -112,8 +112,8 @@ impl Trial {
         filters.then(|| entry.time / none.time - 1.0)
     }
 
-    /// How surely one method is nearer to the reference than another: what their squared errors differ by in the mean over
-    /// pixels, in its standard errors; negative where it is farther off.
+    /// How surely one method is nearer to the reference than another: what their squared errors
+    /// differ by in the mean over pixels, in its standard errors; negative where it is farther off.
     pub(crate) fn lead(&self, one: &str, other: &str) -> f64 {
         let [Some(one), Some(other)] = [one, other].map(|name| self.entry(name)) else {
             return f64::NAN;

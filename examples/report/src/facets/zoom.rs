@@ -79,7 +79,8 @@ impl Frame {
 fn stage(size: Size, radius: f64) -> Stage {
     let light = lobe::slope::direction::normalize([0.35, -0.9, 0.3]);
     let front = [0.0, -1.0, 0.0];
-    // Where the normal is half way between light and eye, drawn towards the middle as the ball gets whole.
+    // Where the normal is half way between light and eye, drawn towards the middle as the ball gets
+    // whole.
     let bright = lobe::slope::direction::half_vector(front, light);
     let share = 1.0 - size.width as f64 * LAST / radius;
     let target = scaled(share * radius, bright);

@@ -1,4 +1,5 @@
-//! Error against run time: how far the pixels of a model are distributed from those of real details, and what they cost.
+//! Error against run time: how far the pixels of a model are distributed from those of real
+//! details, and what they cost.
 
 use std::hint::black_box;
 

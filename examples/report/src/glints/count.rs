@@ -57,7 +57,8 @@ impl PerCell {
     }
 }
 
-/// Static SPIR-V instructions of the shader, calls written out, loops counted once: all, and those that compute.
+/// Static SPIR-V instructions of the shader, calls written out, loops counted once: all, and those
+/// that compute.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(crate) struct Instructions {
     /// Of the innermost loop: all that is done for a cell.

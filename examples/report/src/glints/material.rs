@@ -3,7 +3,8 @@
 use lobe::material::glint::Biscale;
 use lobe::{Error, Real};
 
-/// Details of the same roughness from afar along both axes; grooves, along v, where a detail has all of it there.
+/// Details of the same roughness from afar along both axes; grooves, along v, where a detail has
+/// all of it there.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Material {
     pub(crate) name: &'static str,
@@ -39,8 +40,8 @@ impl Material {
         Biscale::from_fractions([R::lit(self.alpha); 2], self.fractions.map(R::lit))
     }
 
-    /// Details per unit area where a pixel of this area has as many as it should; of grooves the root counts, per unit
-    /// length across.
+    /// Details per unit area where a pixel of this area has as many as it should; of grooves the
+    /// root counts, per unit length across.
     pub(super) fn density(&self, area: f64) -> f64 {
         if self.is_groove() { self.details * self.details / area } else { self.details / area }
     }

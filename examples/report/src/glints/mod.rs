@@ -1,7 +1,8 @@
 //! Glints: cells, run time, mean and variance of both models, against real details.
 //!
-//! Details are points of a random process on a plane, each a Gaussian lobe (`truth`, and one by one in `points`): what a
-//! biscale material is, so that single pixels of it and of a model are two draws, and only their distributions compare.
+//! Details are points of a random process on a plane, each a Gaussian lobe (`truth`, and one by one
+//! in `points`): what a biscale material is, so that single pixels of it and of a model are two
+//! draws, and only their distributions compare.
 
 mod cells;
 mod contest;

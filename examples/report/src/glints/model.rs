@@ -77,7 +77,8 @@ pub(super) struct Made<R> {
 impl<R: Real> Made<R> {
     /// For a pixel of this area, of this surface: published models know but one.
     ///
-    /// Published grooves have numbers by the cells' area: as many as they should in one of the pixel's.
+    /// Published grooves have numbers by the cells' area: as many as they should in one of the
+    /// pixel's.
     pub(super) fn new(material: &Material, area: f64, seed: u32) -> Result<Self, Error> {
         let biscale = material.biscale()?;
         let glints = Glints::new(biscale, R::lit(material.density(area)))?.with_seed(seed);
@@ -111,7 +112,8 @@ impl<R: Real> Made<R> {
         }
     }
 
-    /// A published density with the masking of the smooth lobe, which its authors leave to the caller.
+    /// A published density with the masking of the smooth lobe, which its authors leave to the
+    /// caller.
     #[inline]
     fn masked(&self, published: &ZirrKaplanyan<R>, seen: &Seen<R>) -> R {
         let h = half_vector(seen.wo, seen.wi);

@@ -1,4 +1,5 @@
-//! What a sample says of a distribution: mean, variance and how sure they are; and how far two samples are apart.
+//! What a sample says of a distribution: mean, variance and how sure they are; and how far two
+//! samples are apart.
 
 use serde::Serialize;
 
@@ -30,7 +31,8 @@ impl Moments {
     }
 }
 
-/// Mean distance of two samples of one size, smallest to smallest and so on: the 1-Wasserstein distance.
+/// Mean distance of two samples of one size, smallest to smallest and so on: the 1-Wasserstein
+/// distance.
 pub(super) fn distance(a: &[f64], b: &[f64]) -> f64 {
     let sorted = |values: &[f64]| {
         let mut values = values.to_vec();

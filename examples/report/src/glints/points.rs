@@ -11,7 +11,8 @@ use crate::pattern::Jitter;
 /// Details in the mean that a square has, of those that the surface is divided into.
 const PER_SQUARE: f64 = 4.0;
 
-/// A surface of points that is the same for all pixels: a Poisson process, square by square from a hash of its place.
+/// A surface of points that is the same for all pixels: a Poisson process, square by square from a
+/// hash of its place.
 ///
 /// Not of grooves.
 #[derive(Clone, Copy, Debug)]

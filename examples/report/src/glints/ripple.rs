@@ -13,7 +13,8 @@ use super::sample::{ASPECTS, Light, Setting};
 pub(crate) struct Ripple {
     pub(crate) model: Model,
     pub(crate) aspect: f64,
-    /// Width against a power of two, relative variance over that of real details, and its standard error.
+    /// Width against a power of two, relative variance over that of real details, and its standard
+    /// error.
     pub(crate) points: Vec<[f64; 3]>,
 }
 

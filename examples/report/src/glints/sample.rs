@@ -51,7 +51,8 @@ pub(super) struct Pixel {
 }
 
 impl Pixel {
-    /// The `index`th pixel of an aspect, its width relative to cells by `octave` in [0, 1) if that is given, random else.
+    /// The `index`th pixel of an aspect, its width relative to cells by `octave` in [0, 1) if that
+    /// is given, random else.
     pub(super) fn random(aspect: f64, octave: Option<f64>, index: u64) -> Self {
         let mut jitter = Jitter::new(index);
         let ([x, y], [turn, random]) = (jitter.next(), jitter.next());
@@ -118,8 +119,9 @@ impl Setting<'_> {
         Ok(self.made(&pixel)?.glints.ndf(&pixel.patch).probability(self.h(), self.blur()))
     }
 
-    /// The relative variance that the default model should have: of every cell that of a binomial number, summed as if
-    /// levels drew independently, and as if a cell that both levels have drew proportional numbers. What it has is between.
+    /// The relative variance that the default model should have: of every cell that of a binomial
+    /// number, summed as if levels drew independently, and as if a cell that both levels have drew
+    /// proportional numbers. What it has is between.
     pub(super) fn law(&self, count: u64) -> Result<[f64; 2], Error> {
         let probability = self.probability()?;
         let one = |index| {

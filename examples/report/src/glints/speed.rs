@@ -15,9 +15,11 @@ use crate::pattern::Jitter;
 use crate::timing::in_turns;
 use crate::vector::dot;
 
-/// Elevations of the view in degrees: steep, grazing as in the paper, and where pixels are as long as they may be.
+/// Elevations of the view in degrees: steep, grazing as in the paper, and where pixels are as long
+/// as they may be.
 ///
-/// Not 90: straight from above Beckmann's masking underflows, which takes processors longer than the whole lobe.
+/// Not 90: straight from above Beckmann's masking underflows, which takes processors longer than
+/// the whole lobe.
 pub(crate) const ELEVATIONS: [f64; 3] = [85.0, 10.0, 3.583_32];
 
 /// Models that stand in the table.
@@ -79,7 +81,8 @@ impl Speed {
         self.views.iter().find(|timed| timed.model == model).map(|timed| timed.times)
     }
 
-    /// What glints add to the smooth lobe at the second and third view over what they add at the first.
+    /// What glints add to the smooth lobe at the second and third view over what they add at the
+    /// first.
     pub(crate) fn growth(&self, model: Model) -> [Option<f64>; 2] {
         let added = |k: usize| Some(self.times(model)?[k] - self.smooth()[k]);
         [1, 2].map(|k| (model != Model::Smooth).then(|| Some(added(k)? / added(0)?)).flatten())
@@ -87,7 +90,8 @@ impl Speed {
 }
 
 impl Curve {
-    /// Slope of the line through the points by least squares, and how far off it one is at most, over its height.
+    /// Slope of the line through the points by least squares, and how far off it one is at most,
+    /// over its height.
     pub(crate) fn line(&self) -> (f64, f64) {
         let count = self.points.len() as f64;
         let mean = [0, 1].map(|k| self.points.iter().map(|p| p[k]).sum::<f64>() / count);
@@ -201,7 +205,8 @@ struct Pixels {
     slope: [f64; 2],
 }
 
-/// Pixels of a plane seen from `1 / aspect` high, under a point light, half vectors spread as the smooth lobe.
+/// Pixels of a plane seen from `1 / aspect` high, under a point light, half vectors spread as the
+/// smooth lobe.
 fn pixels(material: &Material, aspect: f64, count: u64) -> Vec<Pixels> {
     let one = |index: u64| {
         let mut jitter = Jitter::new(!index);

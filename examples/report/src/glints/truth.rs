@@ -1,7 +1,8 @@
-//! The truth: details as points at random places, each a Gaussian lobe, averaged over the pixel's rectangle.
+//! The truth: details as points at random places, each a Gaussian lobe, averaged over the pixel's
+//! rectangle.
 //!
-//! Its mean is the smooth lobe exactly, and its variance has a closed form. [`Points`](super::points::Points) is the same
-//! detail by detail.
+//! Its mean is the smooth lobe exactly, and its variance has a closed form.
+//! [`Points`](super::points::Points) is the same detail by detail.
 
 use std::f64::consts::PI;
 
@@ -23,7 +24,8 @@ struct Axis {
     local: f64,
 }
 
-/// Details farther than this many of their alphas from the half vector, whose part is below 2e-11, are left out.
+/// Details farther than this many of their alphas from the half vector, whose part is below 2e-11,
+/// are left out.
 const REACH: f64 = 5.0;
 
 /// A Gaussian of this alpha^2.
@@ -39,7 +41,8 @@ impl Axis {
         lobe(slope, spread + 0.5 * local) / ((2.0 * PI * local).sqrt() * mean * mean)
     }
 
-    /// Begin and length of the slopes of details that reach this slope, and how many there are at most, per unit of slope.
+    /// Begin and length of the slopes of details that reach this slope, and how many there are at
+    /// most, per unit of slope.
     fn window(self, slope: f64) -> [f64; 3] {
         let half = REACH * self.local.sqrt();
         let nearest = (slope.abs() - half).max(0.0);
@@ -60,8 +63,9 @@ impl Truth {
 
     /// Relative variance of a pixel.
     ///
-    /// Of n details in the mean, $E[P_l^2]/(n P_g^2)$: near the pole $1/(2 n P)$, half of what details would have that
-    /// reflect all or nothing. Of grooves the mean square of what a pixel has of each takes the place of 1/n.
+    /// Of n details in the mean, $E[P_l^2]/(n P_g^2)$: near the pole $1/(2 n P)$, half of what
+    /// details would have that reflect all or nothing. Of grooves the mean square of what a pixel
+    /// has of each takes the place of 1/n.
     pub(super) fn variance(&self, slope: [f64; 2], pixel: &Pixel) -> f64 {
         let across = self.axes[0].excess(slope[0]);
         if self.material.is_groove() {

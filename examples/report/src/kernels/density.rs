@@ -55,8 +55,9 @@ impl Density {
         }
     }
 
-    /// Whether it falls to 0 far from the lobe. Appendix A does not in f32: its terms cancel to a rounding error
-    /// that does not depend on distance, and whose integral over the plane has no limit.
+    /// Whether it falls to 0 far from the lobe. Appendix A does not in f32: its terms cancel to a
+    /// rounding error that does not depend on distance, and whose integral over the plane has no
+    /// limit.
     pub(super) fn decays(&self) -> bool {
         !matches!(self, Self::AppendixA(_))
     }
@@ -65,7 +66,8 @@ impl Density {
         matches!(self, Self::Widened(_) | Self::Gaussian(..))
     }
 
-    /// Values on a circle, at the middles of equal parts of an eighth of it; the rest is their mirror image.
+    /// Values on a circle, at the middles of equal parts of an eighth of it; the rest is their
+    /// mirror image.
     pub(super) fn ring(&self, radius: f64) -> [f64; DIRECTIONS] {
         if self.is_radial() {
             return [self.at([radius, 0.0]); DIRECTIONS];

@@ -11,8 +11,8 @@ pub(crate) struct Measures {
     pub(crate) kappa: f64,
     /// Filter over truth at the center, minus 1.
     pub(crate) peak_error: f64,
-    /// Integral of |filter - truth| over the plane, at most 2; none where the filter's error does not fall with
-    /// distance.
+    /// Integral of |filter - truth| over the plane, at most 2; none where the filter's error does
+    /// not fall with distance.
     pub(crate) l1_error: Option<f64>,
     /// Largest |filter / truth - 1| within [`REACH`] alphas.
     pub(crate) largest_error: f64,
@@ -56,8 +56,8 @@ fn directions(distance: f64) -> [[f64; 2]; 2] {
 
 /// Radius and area per unit of u of circles $r^2 = c\, u/(1 - u)$ at equal steps of u.
 ///
-/// u is the mass of GGX of alpha $\sqrt c$ within r: for lobes of about that width the integrand is nearly flat,
-/// its tail to infinity included.
+/// u is the mass of GGX of alpha $\sqrt c$ within r: for lobes of about that width the integrand is
+/// nearly flat, its tail to infinity included.
 fn circles(c: f64) -> impl Iterator<Item = (f64, f64)> {
     let parameters = (0..RINGS).map(|k| (k as f64 + 0.5) / RINGS as f64);
     parameters.map(move |u| {
@@ -84,7 +84,8 @@ impl Samples {
         }
     }
 
-    /// Integral over the plane of a function of two densities sampled with one spread, if both decay.
+    /// Integral over the plane of a function of two densities sampled with one spread, if both
+    /// decay.
     fn integral(&self, other: &Self, of: impl Fn(f64, f64) -> f64) -> Option<f64> {
         let rings = self.rings.iter().zip(&other.rings).zip(circles(self.spread2));
         let sum = rings.map(|((a, b), (_, area))| {
@@ -148,7 +149,8 @@ mod tests {
 
     #[test]
     fn two_ggx_differ_as_an_integral_over_squares_says() {
-        // Simpson's rule in both slopes of one quadrant up to 40, the mass beyond by the tails' difference.
+        // Simpson's rule in both slopes of one quadrant up to 40, the mass beyond by the tails'
+        // difference.
         let density = |alpha: f64, q: f64| {
             let a2 = alpha * alpha;
             a2 / (std::f64::consts::PI * (a2 + q) * (a2 + q))
@@ -170,7 +172,8 @@ mod tests {
             }
         }
         inside *= 4.0 * step * step / 9.0;
-        // Beyond the square the densities are a^2/(pi r^4): 1/(pi r^4) integrates to (1/2 + 1/pi)/half^2 outside.
+        // Beyond the square the densities are a^2/(pi r^4): 1/(pi r^4) integrates to (1/2 +
+        // 1/pi)/half^2 outside.
         let outside = (4.0 - 1.0) * (0.5 + std::f64::consts::FRAC_1_PI) / (half * half);
         let l1 = between(1.0, 2.0).l1_error.unwrap();
         assert!((l1 - inside - outside).abs() < 1e-4, "{l1} {inside} {outside}");
@@ -196,7 +199,8 @@ mod tests {
             let rings = single.ring(radius).into_iter().zip(exact.ring(radius));
             rings.map(|(f, t)| (f - t).abs()).sum::<f64>()
         };
-        // Ten thousand times farther out it would be 1e-16 times as large, if it fell like the density.
+        // Ten thousand times farther out it would be 1e-16 times as large, if it fell like the
+        // density.
         assert!(error(1e5) > 0.1 * error(10.0) && !single.decays());
     }
 }

@@ -1,8 +1,9 @@
-//! Filters of GGX without a renderer: what each makes of a lobe under a pixel, against what it should.
+//! Filters of GGX without a renderer: what each makes of a lobe under a pixel, against what it
+//! should.
 //!
-//! GGX scales, so one lobe of alpha 1 stands for all, and one number for the pixel: kappa, twice its variance over
-//! alpha squared. Projected-space filters are left out: what they add depends on alpha and on where the half vector
-//! stands, not on kappa alone.
+//! GGX scales, so one lobe of alpha 1 stands for all, and one number for the pixel: kappa, twice
+//! its variance over alpha squared. Projected-space filters are left out: what they add depends on
+//! alpha and on where the half vector stands, not on kappa alone.
 
 mod density;
 mod filter;
@@ -148,7 +149,8 @@ mod tests {
         for curve in ALL.curves.iter().filter(|c| c.filter.is_closed()) {
             let name = curve.filter.name;
             for (point, alpha) in curve.points.iter().zip(&curve.alphas) {
-                // Terms of the next order: (1 + (s/alpha')^-2)^-2, and s^-4 averaged over the pixel.
+                // Terms of the next order: (1 + (s/alpha')^-2)^-2, and s^-4 averaged over the
+                // pixel.
                 let next = 2.0 * (alpha * alpha + 4.0 * point.kappa) / (FAR * FAR);
                 let ratio = point.far_ratio / (alpha * alpha);
                 assert!((ratio - 1.0).abs() < 2.0 * next + 1e-6, "{name} {point:?}");

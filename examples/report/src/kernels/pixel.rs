@@ -41,8 +41,8 @@ pub(crate) struct Pixel {
 }
 
 impl Pixel {
-    /// The pixel with $2\sigma^2 = \kappa \alpha^2$, its width rounded to f32: filters of either precision then
-    /// see the same square.
+    /// The pixel with $2\sigma^2 = \kappa \alpha^2$, its width rounded to f32: filters of either
+    /// precision then see the same square.
     pub(super) fn of_kappa(kappa: f64) -> Self {
         let width = f64::from((6.0 * kappa).sqrt() as f32);
         Self { width, sigma: width / 12.0_f64.sqrt() }

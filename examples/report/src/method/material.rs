@@ -1,4 +1,5 @@
-//! The material under the filter: one alpha, or one along and one across a brushed surface's grooves.
+//! The material under the filter: one alpha, or one along and one across a brushed surface's
+//! grooves.
 
 use lobe::{AxisAligned, Error, Isotropic, LobeShape, Roughness};
 

@@ -48,7 +48,8 @@ impl Distribution {
 pub(crate) enum Family {
     /// More samples.
     Supersampling,
-    /// The half vector, of which it makes a wider lobe: one for a light, or for many that are near each other.
+    /// The half vector, of which it makes a wider lobe: one for a light, or for many that are near
+    /// each other.
     Widened,
     /// The half vector, over whose footprint it averages: a number for each light, and no lobe.
     Area,
@@ -58,8 +59,8 @@ pub(crate) enum Family {
     Engine,
 }
 
-/// A row of pixels, the other row of its quads, and the row's motions where a method wants them. Even in
-/// length; the row to shade may be one shorter.
+/// A row of pixels, the other row of its quads, and the row's motions where a method wants them.
+/// Even in length; the row to shade may be one shorter.
 pub(crate) struct Rows<'a> {
     pub(crate) here: &'a [Sample<f32>],
     pub(crate) other: &'a [Sample<f32>],

@@ -33,12 +33,13 @@ pub(crate) trait Pixel<R: Real> {
     /// Changes of the shading normal, in any frame.
     fn normal_steps(&self) -> [[R; 3]; 2];
 
-    /// The footprint of a half vector that stands still at the normal: all that is known before the light is.
+    /// The footprint of a half vector that stands still at the normal: all that is known before the
+    /// light is.
     fn normal_footprint(&self) -> Footprint<R>;
 }
 
-/// A pixel and the others of its quad. Those that share its row and column are what `ddx_fine` and `ddy_fine`
-/// subtract, up to the sign, which no filter asks for.
+/// A pixel and the others of its quad. Those that share its row and column are what `ddx_fine` and
+/// `ddy_fine` subtract, up to the sign, which no filter asks for.
 pub(crate) struct QuadPixel<'a, R> {
     pub(crate) here: &'a Sample<R>,
     pub(crate) beside: &'a Sample<R>,
@@ -112,8 +113,8 @@ impl<R: Real> Pixel<R> for MovingPixel<'_, R> {
         Footprint::from_motion(self.sum(), across, down).unwrap_or_default()
     }
 
-    /// In a frame that turns with the surface, $g = w_o + w_i$ changes by its own motion and against the
-    /// frame's; $dh = (dg - h (h \cdot dg))/|g|$.
+    /// In a frame that turns with the surface, $g = w_o + w_i$ changes by its own motion and
+    /// against the frame's; $dh = (dg - h (h \cdot dg))/|g|$.
     #[inline]
     fn narrowed_footprint(&self) -> Footprint<R> {
         let (g, h) = (self.sum(), self.here.half);

@@ -53,7 +53,8 @@ impl<D: Distribution> Shade for Plain<D> {
     }
 }
 
-/// A Gaussian kernel of a pixel filter, its variance added to the roughness: for Beckmann the convolution.
+/// A Gaussian kernel of a pixel filter, its variance added to the roughness: for Beckmann the
+/// convolution.
 #[derive(Clone)]
 pub(super) struct Widened<D>(pub(super) PixelFilter, pub(super) PhantomData<D>);
 
@@ -118,8 +119,8 @@ impl Shade for Widening {
     }
 }
 
-/// Extents of the rectangle, below and above: Kaplanyan et al. 2016, section 5.2. The lower one keeps
-/// Appendix A out of its cancellation.
+/// Extents of the rectangle, below and above: Kaplanyan et al. 2016, section 5.2. The lower one
+/// keeps Appendix A out of its cancellation.
 const EXTENTS: [f64; 2] = [1e-3, 1.0];
 
 /// The mean of a distribution over the footprint's clamped bounding rectangle.

@@ -8,7 +8,8 @@ use crate::camera::Size;
 use crate::method::Distribution;
 use crate::timing::in_turns;
 
-/// Pixels per pass, about: so few that even those of 64 samples mostly end before another process interrupts them.
+/// Pixels per pass, about: so few that even those of 64 samples mostly end before another process
+/// interrupts them.
 const PIXELS: usize = 256;
 
 /// Of every method, the methods taking turns.

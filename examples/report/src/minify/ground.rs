@@ -1,4 +1,5 @@
-//! A mapped plane in view: lookups and kernels at a place of the picture, in the precision of an engine.
+//! A mapped plane in view: lookups and kernels at a place of the picture, in the precision of an
+//! engine.
 
 use lobe::{
     Error, Footprint, Isotropic, Kernel, Lobe, NonCentered, PixelFilter, Roughness, SlopeMoments,
@@ -51,7 +52,8 @@ impl<'a> Ground<'a> {
         self.texels.moments.trilinear(uv, self.texels.lod(steps.du, steps.dv))
     }
 
-    /// Along the pixel's longer side as GPUs filter: as many trilinear lookups of the shorter one as cover it.
+    /// Along the pixel's longer side as GPUs filter: as many trilinear lookups of the shorter one
+    /// as cover it.
     #[inline]
     pub(super) fn anisotropic(
         &self,
@@ -87,7 +89,8 @@ impl<'a> Ground<'a> {
         Kernel::of(&self.view.footprint(spot, steps), PixelFilter::BOX)
     }
 
-    /// Of its motion in the frame of the mean slope, by differences to the next pixels, as in a shader.
+    /// Of its motion in the frame of the mean slope, by differences to the next pixels, as in a
+    /// shader.
     #[inline]
     pub(super) fn shading_kernel(
         &self,

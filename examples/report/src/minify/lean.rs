@@ -18,7 +18,8 @@ impl Technique for Lean {
     }
 }
 
-/// The same from the textures that Olano & Baker have: raw moments, interpolated as any numbers are.
+/// The same from the textures that Olano & Baker have: raw moments, interpolated as any numbers
+/// are.
 pub(super) struct LeanRaw;
 
 impl Technique for LeanRaw {
@@ -45,7 +46,8 @@ impl Technique for LeanKernel {
     }
 }
 
-/// The mean slope, and how the half vector moves in its frame: specular antialiasing on top of plain mips.
+/// The mean slope, and how the half vector moves in its frame: specular antialiasing on top of
+/// plain mips.
 pub(super) struct Shaded;
 
 impl Technique for Shaded {
@@ -93,7 +95,8 @@ impl Technique for LeanNarrow {
     }
 }
 
-/// The moments of the pixel's own slopes, which no chain of mips has: what is left is the error of one lobe.
+/// The moments of the pixel's own slopes, which no chain of mips has: what is left is the error of
+/// one lobe.
 pub(super) struct LeanExact;
 
 /// Slopes along either side of the pixel.
@@ -120,8 +123,8 @@ impl Technique for LeanExact {
     }
 }
 
-/// The density of those narrow lookups, over the visibility of the base on the slopes that reflect: a map's facets do not shadow each
-/// other, whatever the wide lobe's masking says.
+/// The density of those narrow lookups, over the visibility of the base on the slopes that reflect:
+/// a map's facets do not shadow each other, whatever the wide lobe's masking says.
 pub(super) struct LeanUnmasked;
 
 impl Technique for LeanUnmasked {

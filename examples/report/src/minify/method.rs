@@ -90,11 +90,13 @@ pub(crate) fn all() -> Vec<Method> {
         ),
         Method::of::<Toksvig>(
             name::TOKSVIG,
-            "The same normal; its length before that gives the variance of a rounder lobe (Toksvig 2005).",
+            "The same normal; its length before that gives the variance of a rounder lobe \
+                (Toksvig 2005).",
         ),
         Method::of::<Clean>(
             name::CLEAN,
-            "The mean slope by trilinear mips, and half the trace of its covariance on either axis (Baker 2011).",
+            "The mean slope by trilinear mips, and half the trace of its covariance on either \
+                axis (Baker 2011).",
         ),
         Method::of::<Lean>(
             name::LEAN,
@@ -102,25 +104,30 @@ pub(crate) fn all() -> Vec<Method> {
         ),
         Method::of::<LeanRaw>(
             name::RAW,
-            "The same from textures of raw moments, E s and E ss\u{1d40}, as filtering hardware has them; f32.",
+            "The same from textures of raw moments, E s and E ss\u{1d40}, as filtering hardware \
+                has them; f32.",
         ),
         Method::of::<LeanKernel>(
             name::KERNEL,
-            "The same, and the covariance of the half vector\u{2019}s motion over the box pixel, the plane being flat.",
+            "The same, and the covariance of the half vector\u{2019}s motion over the box pixel, \
+                the plane being flat.",
         ),
         Method::of::<Shaded>(
             name::SHADED,
-            "The mean slope and the half vector\u{2019}s motion in its frame, as derivatives in a shader have it; no \
+            "The mean slope and the half vector\u{2019}s motion in its frame, as derivatives in a \
+                shader have it; no \
              covariance (Kaplanyan et al. 2016, section 5.5, first part).",
         ),
         Method::of::<LeanTwice>(
             name::TWICE,
-            "That kernel on top of the covariance (the same section, second part): what of the map the mips resolve \
+            "That kernel on top of the covariance (the same section, second part): what of the \
+                map the mips resolve \
              is counted twice.",
         ),
         Method::of::<LeanAlong>(
             name::ALONG,
-            "Mean and covariance merged over trilinear lookups along the pixel, 16 at most, as GPUs filter.",
+            "Mean and covariance merged over trilinear lookups along the pixel, 16 at most, as \
+                GPUs filter.",
         ),
         Method::of::<LeanNarrow>(
             name::NARROW,
@@ -129,11 +136,13 @@ pub(crate) fn all() -> Vec<Method> {
         ),
         Method::of::<LeanUnmasked>(
             name::UNMASKED,
-            "The density of those narrow probes over the visibility of the base roughness on the slopes that reflect.",
+            "The density of those narrow probes over the visibility of the base roughness on the \
+                slopes that reflect.",
         ),
         Method::of::<LeanExact>(
             name::EXACT,
-            "Mean and covariance of 16 x 16 slopes in the pixel, which no mip chain has: its error is that of one lobe \
+            "Mean and covariance of 16 x 16 slopes in the pixel, which no mip chain has: its \
+                error is that of one lobe \
              for all of them.",
         ),
         Method::of::<Supersampling<4>>(name::FOUR, SUPERSAMPLED),

@@ -1,7 +1,8 @@
 //! Minified normal maps: what a texture holds of what a pixel no longer resolves.
 //!
-//! A renderer of its own, as methods look up textures here: a plane in its tangent frame, a perspective view of it, the
-//! light's mirror image at the picture's middle. The truth is the supersampled normal map, which is LEAN's own.
+//! A renderer of its own, as methods look up textures here: a plane in its tangent frame, a
+//! perspective view of it, the light's mirror image at the picture's middle. The truth is the
+//! supersampled normal map, which is LEAN's own.
 
 mod clock;
 mod ground;
@@ -78,7 +79,8 @@ impl Plan {
     }
 }
 
-/// Elevation and ratio of every view: the sweep, then what it does not hold of the comparison of elevations.
+/// Elevation and ratio of every view: the sweep, then what it does not hold of the comparison of
+/// elevations.
 fn stations() -> impl Iterator<Item = (f64, f64)> {
     let grazing = ELEVATIONS.into_iter().filter(|&elevation| elevation != SWEPT);
     RATIOS.into_iter().map(|ratio| (SWEPT, ratio)).chain(grazing.map(|e| (e, GRAZED)))

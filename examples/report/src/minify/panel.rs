@@ -20,7 +20,8 @@ pub(crate) struct Row {
     pub(crate) errors: Errors,
     /// Nanoseconds per pixel, lookups included; at the first alpha.
     pub(crate) time: Option<f64>,
-    /// What supersampling takes for the same RMSE, in multiples of this method's time; of single samples.
+    /// What supersampling takes for the same RMSE, in multiples of this method's time; of single
+    /// samples.
     pub(crate) equal_time: Option<Price>,
     /// Radiance, unscaled; where it is shown.
     #[serde(skip)]

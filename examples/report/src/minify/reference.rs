@@ -1,8 +1,8 @@
 //! The supersampled normal map: what every method should have given, in f64.
 //!
-//! At each of many jittered places in the pixel the finest level's bilinear slope is the mean of a lobe of the base
-//! roughness, which is shaded with the directions of that place. Nothing is weighted by projected area: this is a map,
-//! no displaced surface.
+//! At each of many jittered places in the pixel the finest level's bilinear slope is the mean of a
+//! lobe of the base roughness, which is shaded with the directions of that place. Nothing is
+//! weighted by projected area: this is a map, no displaced surface.
 
 use lobe::{Beckmann, Error, Ggx, Isotropic, LobeShape, NonCentered};
 use rayon::prelude::*;
@@ -45,8 +45,8 @@ impl References {
 pub(super) struct Strata([u32; 2]);
 
 impl Strata {
-    /// At least `fewest`, and one for every texel that a pixel's side is long: a texel that nothing falls into is a
-    /// glint that is missed.
+    /// At least `fewest`, and one for every texel that a pixel's side is long: a texel that nothing
+    /// falls into is a glint that is missed.
     pub(super) fn of(station: &Station, fewest: u32) -> Self {
         let along = station.ratio / station.elevation.to_radians().sin();
         // Ratios are positive, and a few hundred at most: the cast only rounds.
@@ -59,7 +59,8 @@ impl Strata {
 /// Strata on an axis, at most.
 const MOST: u32 = 128;
 
-/// Renders the references of a view for some alphas, two at most; `row_done` is called after every row.
+/// Renders the references of a view for some alphas, two at most; `row_done` is called after every
+/// row.
 pub(super) fn render(
     texels: &Texels,
     station: &Station,

@@ -1,4 +1,5 @@
-//! What each method looks up in a map for a pixel, and the light it makes of that: those of one number or none.
+//! What each method looks up in a map for a pixel, and the light it makes of that: those of one
+//! number or none.
 
 use lobe::filter::{clean_variance, toksvig_variance};
 use lobe::slope::direction::slope_of;

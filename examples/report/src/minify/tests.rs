@@ -41,14 +41,16 @@ fn of(measured: &[(Method, Errors)], name: &str) -> Errors {
     measured.iter().find(|(method, _)| method.name == name).unwrap().1
 }
 
-/// A tilted plane without a map: all methods shade the same lobe, and what the pixel's own motion adds is small.
+/// A tilted plane without a map: all methods shade the same lobe, and what the pixel's own motion
+/// adds is small.
 #[test]
 fn on_a_constant_map_every_method_is_the_reference() {
     let texels = Texels::of_slopes([8, 4], vec![[0.12, -0.07]; 32]).unwrap();
     for distribution in Distribution::ALL {
         for (elevation, ratio) in [(90.0, 1.0), (45.0, 8.0), (15.0, 2.0)] {
             let (measured, noise) = errors(&texels, elevation, ratio, 0.3, distribution);
-            // The same lobe at the pixel's center; what is left is its curvature over the pixel, the kernel's business.
+            // The same lobe at the pixel's center; what is left is its curvature over the pixel,
+            // the kernel's business.
             let center = of(&measured, name::POINT).rmse;
             assert!(noise < 1e-3 && center < 0.02, "{elevation} {noise} {center}");
             for (method, errors) in &measured {
@@ -59,7 +61,8 @@ fn on_a_constant_map_every_method_is_the_reference() {
     }
 }
 
-/// Where the half vector moves by as much as alpha from pixel to pixel, its kernel is what is missing.
+/// Where the half vector moves by as much as alpha from pixel to pixel, its kernel is what is
+/// missing.
 #[test]
 fn on_a_narrow_lobe_the_kernel_mends_what_the_center_misses() {
     let texels = Texels::of_slopes([4, 4], vec![[0.0; 2]; 16]).unwrap();
@@ -77,7 +80,8 @@ fn raw_moments_shade_as_merged_ones_do() {
         let (measured, noise) = errors(&texels, 45.0, 4.0, 0.2, distribution);
         let [merged, raw] = [name::LEAN, name::RAW].map(|name| of(&measured, name));
         assert!((merged.rmse - raw.rmse).abs() < 1e-4 && (merged.energy - raw.energy).abs() < 1e-4);
-        // More samples are nearer to the reference, whose 2 x 24^2 are worth at least as many random ones.
+        // More samples are nearer to the reference, whose 2 x 24^2 are worth at least as many
+        // random ones.
         let counts = [name::FOUR, name::SIXTEEN, name::SIXTY_FOUR].map(|name| of(&measured, name));
         assert!(counts[2].rmse < counts[1].rmse && counts[1].rmse < counts[0].rmse);
         assert!(noise < (64.0_f64 / 1152.0).sqrt() * counts[2].rmse, "{noise} {counts:?}");
@@ -100,7 +104,8 @@ fn on_a_ramp_lookups_are_wider_than_the_pixel_by_what_tents_are_wider_than_boxes
     let steps = ground.view.steps(&spot);
     // A square of 16 texels, however it is turned.
     let exact = (16.0 * per_texel).powi(2) / 12.0;
-    // On the middle of a texel of that level, on the border of two, and in the mean over all phases.
+    // On the middle of a texel of that level, on the border of two, and in the mean over all
+    // phases.
     let mut at = |texel: f32| {
         spot.uv = [texel * 16.0 / f32::from(side), 0.5];
         let [plain, narrow] = [ground.trilinear(spot.uv, &steps), ground.narrow(&spot, &steps)]

@@ -7,7 +7,8 @@ use lobe::slope::direction::normal_of;
 use crate::level::{Chain, Level};
 use crate::texture::Texture;
 
-/// The steepest slope, 84 degrees: maps of 8 bits hold nothing between it and the horizon but rounding.
+/// The steepest slope, 84 degrees: maps of 8 bits hold nothing between it and the horizon but
+/// rounding.
 pub(crate) const STEEPEST: f32 = 10.0;
 
 /// A map's slopes, none steeper than [`STEEPEST`], and how many were.
@@ -80,8 +81,8 @@ impl Texels {
         0.5 * self.squared(du).max(self.squared(dv)).log2()
     }
 
-    /// Standard deviation of the slopes, both axes together, and their kurtosis: fourth moments over squared second ones,
-    /// each a sum over the axes; 3 of a Gaussian.
+    /// Standard deviation of the slopes, both axes together, and their kurtosis: fourth moments
+    /// over squared second ones, each a sum over the axes; 3 of a Gaussian.
     pub(super) fn spread(&self) -> [f64; 2] {
         let texels = self.slopes.texels();
         let count = texels.len() as f64;

@@ -1,4 +1,5 @@
-//! A plane with a map under one light, and what a pixel knows of it: texture coordinates, directions, their motions.
+//! A plane with a map under one light, and what a pixel knows of it: texture coordinates,
+//! directions, their motions.
 
 use lobe::Footprint;
 use lobe::slope::Motion;
@@ -8,11 +9,12 @@ use crate::light::{Light, LightKind};
 use crate::scalar::Scalar;
 use crate::vector::{Vector, add, along, dot, scaled, tangential};
 
-/// Degrees between the view and the texture's axes: footprints that lie along them would hide every mistake in the
-/// covariance's third entry.
+/// Degrees between the view and the texture's axes: footprints that lie along them would hide every
+/// mistake in the covariance's third entry.
 pub(crate) const TURN: f64 = 25.0;
 
-/// Degrees from the picture's middle row to its first and last, at most; and as a part of the elevation.
+/// Degrees from the picture's middle row to its first and last, at most; and as a part of the
+/// elevation.
 const SPAN: f64 = 12.0;
 const PART: f64 = 0.4;
 
@@ -22,15 +24,16 @@ pub(super) struct Station {
     pub(super) size: Size,
     /// Degrees of the view over the plane at the picture's middle.
     pub(super) elevation: f64,
-    /// Texels per pixel at the picture's middle, across the view. Along it there are more, by one over the
-    /// elevation's sine.
+    /// Texels per pixel at the picture's middle, across the view. Along it there are more, by one
+    /// over the elevation's sine.
     pub(super) ratio: f64,
     pub(super) light: LightKind,
     /// Of the map, in texels.
     pub(super) map: [usize; 2],
 }
 
-/// What is seen from a station, in one precision. The plane's own frame is the tangent frame: x along u, y against v.
+/// What is seen from a station, in one precision. The plane's own frame is the tangent frame: x
+/// along u, y against v.
 #[derive(Clone)]
 pub(super) struct View<R> {
     camera: Camera<R>,

@@ -18,10 +18,12 @@ use crate::sequence::Tally;
 /// Texels per pixel in the first frame.
 const FIRST: f64 = 2.0;
 
-/// From frame to frame: what is at the edge of a picture 64 pixels wide moves by two thirds of a pixel.
+/// From frame to frame: what is at the edge of a picture 64 pixels wide moves by two thirds of a
+/// pixel.
 const GROWTH: f64 = 1.02;
 
-/// What was measured of one zoom; radiance is scaled to a mean of 1 of the reference over all frames.
+/// What was measured of one zoom; radiance is scaled to a mean of 1 of the reference over all
+/// frames.
 #[derive(Serialize)]
 pub(crate) struct Zoom {
     pub(crate) size: Size,

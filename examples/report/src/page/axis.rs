@@ -61,8 +61,8 @@ impl Axis {
         self.origin + self.slope * self.scale.forward(value)
     }
 
-    /// 1, 2, 5 times powers of ten within the axis; on long logarithmic ones powers of ten only. On linear
-    /// ones multiples of one such number, at most eight. None on an axis without a length.
+    /// 1, 2, 5 times powers of ten within the axis; on long logarithmic ones powers of ten only. On
+    /// linear ones multiples of one such number, at most eight. None on an axis without a length.
     pub(super) fn ticks(&self) -> Vec<f64> {
         let [first, last] = [self.low, self.high].map(|end| self.scale.forward(end));
         if !(first < last && last - first < f64::INFINITY) {

@@ -26,8 +26,9 @@ pub(super) struct Line {
     pub(super) points: Vec<[f64; 2]>,
 }
 
-/// Ends of an axis that holds all positive heights of some lines and another one, with `room` beyond them, a factor; a
-/// decade on either side of 1 where there is nothing, which has no logarithm.
+/// Ends of an axis that holds all positive heights of some lines and another one, with `room`
+/// beyond them, a factor; a decade on either side of 1 where there is nothing, which has no
+/// logarithm.
 pub(super) fn around(lines: &[Line], other: Option<f64>, room: f64) -> [f64; 2] {
     let heights = lines.iter().flat_map(|line| line.points.iter().map(|point| point[1]));
     let positive = heights.chain(other).filter(|height| *height > 0.0 && height.is_finite());
@@ -89,7 +90,8 @@ impl Chart {
         let x = Axis::between(self.x.scale, self.x.ends, [LEFT, right]);
         let y = Axis::between(self.y.scale, self.y.ends, [bottom, TOP]);
         let mut svg = format!(
-            "<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" height=\"{HEIGHT}\" role=\"img\" \
+            "<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" height=\"{HEIGHT}\" \
+                role=\"img\" \
              aria-label=\"{}\">\n",
             escape(&self.title)
         );
@@ -208,7 +210,8 @@ fn cut(points: &[[f64; 2]]) -> String {
     path
 }
 
-/// Names at the right ends, in the lines' order of height, joined to them; each with a piece of its line.
+/// Names at the right ends, in the lines' order of height, joined to them; each with a piece of its
+/// line.
 fn names(svg: &mut String, groups: &[Group<'_>]) -> std::fmt::Result {
     let (top, bottom) = (TOP, HEIGHT - BOTTOM);
     let mut names = Vec::new();

@@ -6,7 +6,8 @@ use super::axis::{Axis, Scale};
 use super::picture::colored;
 use crate::camera::Size;
 
-/// Colors from low to high, evenly spaced: Viridis (van der Walt & Smith 2015), whose lightness grows evenly.
+/// Colors from low to high, evenly spaced: Viridis (van der Walt & Smith 2015), whose lightness
+/// grows evenly.
 const COLORS: [[u8; 3]; 9] = [
     [68, 1, 84],
     [71, 44, 122],
@@ -50,7 +51,8 @@ impl Colored<'_> {
         let (width, height) = (zoom * width, zoom * height);
         let caption = super::escape(&self.caption);
         format!(
-            "<figure><img alt=\"{caption}\" width=\"{width}\" height=\"{height}\" src=\"{}\">{}<figcaption>{caption}\
+            "<figure><img alt=\"{caption}\" width=\"{width}\" height=\"{height}\" \
+                src=\"{}\">{}<figcaption>{caption}\
          </figcaption></figure>\n",
             colored(self.size, &colors),
             legend(self),

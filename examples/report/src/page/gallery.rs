@@ -34,7 +34,8 @@ pub(crate) struct Cover {
     pub(crate) file: Vec<u8>,
 }
 
-/// Of the scene of whose light, as shown, a filter mends the largest share. `None` without pictures.
+/// Of the scene of whose light, as shown, a filter mends the largest share. `None` without
+/// pictures.
 pub(super) fn cover(studies: &[Study]) -> Option<Cover> {
     let shown = studies.iter().filter_map(|study| {
         let panel = study.panels.first()?;
@@ -51,7 +52,8 @@ pub(super) fn cover(studies: &[Study]) -> Option<Cover> {
 /// Where quads and analytic derivatives disagree: Kaplanyan et al. 2016, Fig. 7.
 fn footprints(study: &Study) -> String {
     let Some(footprints) = &study.disagreement else { return String::new() };
-    let caption = "Footprints of 2 \u{d7} 2 differences against analytic ones: area of non-overlap over the larger \
+    let caption = "Footprints of 2 \u{d7} 2 differences against analytic ones: area of \
+        non-overlap over the larger \
                    area; black is none, white all of it (Kaplanyan et al. 2016, Fig. 7)";
     figure(study, caption, &picture::linear(study.size, &footprints.map))
 }
@@ -69,7 +71,8 @@ fn figure(study: &Study, caption: &str, url: &str) -> String {
     )
 }
 
-/// Unfiltered, best, reference and the difference of the last two; the best by each measure where they differ.
+/// Unfiltered, best, reference and the difference of the last two; the best by each measure where
+/// they differ.
 pub(super) fn pictures(study: &Study, panel: &Panel) -> String {
     let (Some([plain, filtered, reference]), Some(best)) = (kept(study, panel), panel.best())
     else {
@@ -96,9 +99,12 @@ pub(super) fn pictures(study: &Study, panel: &Panel) -> String {
         .iter()
         .map(|(caption, values)| figure(study, caption, &tone.data_url(study.size, values)));
     format!(
-        "<div class=\"pictures\">\n{}{}</div>\n<p class=\"note\">{}, all but the footprints under the same tone \
-         curve, 1 \u{2212} exp(\u{2212}kx) in sRGB: the reference\u{2019}s 99th percentile, {} times its mean, \
-         is {:.0} % of white. RMSE is decided by the brightest pixels; what a wider lobe adds to dark ones counts in \
+        "<div class=\"pictures\">\n{}{}</div>\n<p class=\"note\">{}, all but the footprints under \
+            the same tone \
+         curve, 1 \u{2212} exp(\u{2212}kx) in sRGB: the reference\u{2019}s 99th percentile, {} \
+         times its mean, \
+         is {:.0} % of white. RMSE is decided by the brightest pixels; what a wider lobe adds to \
+         dark ones counts in \
          SMAPE.</p>\n",
         figures.collect::<Vec<_>>().concat(),
         footprints(study),

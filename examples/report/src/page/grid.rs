@@ -54,7 +54,8 @@ impl Frame {
         let (middle, title) = (0.5 * (top + bottom), y.title);
         writeln!(
             svg,
-            "<text class=\"title middle\" transform=\"translate({upright} {middle}) rotate(-90)\">{title}</text>"
+            "<text class=\"title middle\" transform=\"translate({upright} {middle}) \
+                rotate(-90)\">{title}</text>"
         )
     }
 }

@@ -19,7 +19,8 @@ pub(super) fn html(kernels: &Kernels) -> String {
         )
     });
     format!(
-        "{}<p>{}</p>\n{}<h3>Worst over \u{3ba}</h3>\n{}<p class=\"note\">{}</p>\n{}<h3>The filters</h3>\n\
+        "{}<p>{}</p>\n{}<h3>Worst over \u{3ba}</h3>\n{}<p class=\"note\">{}</p>\n{}<h3>The \
+            filters</h3>\n\
          <div class=\"methods\">{}</div>\n",
         include_str!("kernels.html"),
         escape(&finding(kernels)),
@@ -35,7 +36,8 @@ pub(super) fn html(kernels: &Kernels) -> String {
 pub(super) fn text(kernels: &Kernels) -> String {
     let findings = [finding(kernels), tails(kernels), proxy::finding(&kernels.proxies)];
     format!(
-        "\nFilters without a renderer: worst over kappa, against the exact box and the exact Gaussian pixel\n\
+        "\nFilters without a renderer: worst over kappa, against the exact box and the exact \
+            Gaussian pixel\n\
          {}{}\n",
         worst(kernels).text(),
         findings.join("\n")
@@ -97,7 +99,8 @@ fn finding(kernels: &Kernels) -> String {
     let exact = kernels.curves.iter().filter(|curve| curve.filter.family == Family::Exact);
     let exchange = exact.map(l1).fold(0.0, f64::max);
     format!(
-        "Of the filters that give a GGX again, the least L1 error at the worst \u{3ba} is {}; taking one \
+        "Of the filters that give a GGX again, the least L1 error at the worst \u{3ba} is {}; \
+            taking one \
          pixel for the other, all else exact, costs {}.",
         Truth::ALL.into_iter().filter_map(least).collect::<Vec<_>>().join(" and "),
         significant(exchange)
@@ -117,7 +120,8 @@ fn tails(kernels: &Kernels) -> String {
         .fold((f64::INFINITY, 0.0_f64), |(least, most), ratio| (least.min(ratio), most.max(ratio)));
     let kappa = last.map(|point| point.kappa).fold(0.0, f64::max);
     format!(
-        "At {FAR} alphas, far beyond the pixel, every widened GGX is too bright by (\u{3b1}\u{2032}/\u{3b1})\u{b2}, the truths\u{2019} \
+        "At {FAR} alphas, far beyond the pixel, every widened GGX is too bright by \
+            (\u{3b1}\u{2032}/\u{3b1})\u{b2}, the truths\u{2019} \
          tails being those of the lobe itself: {} to {} times at \u{3ba} = {}.",
         significant(least),
         significant(most),

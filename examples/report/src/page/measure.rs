@@ -42,7 +42,8 @@ pub(super) const PEAK: Measure = Measure {
 
 pub(super) const L1: Measure = Measure {
     title: "L1 error",
-    note: "Integral of |filter \u{2212} truth| over the slope plane, tails included; at most 2. Appendix A in f32 has none: \
+    note: "Integral of |filter \u{2212} truth| over the slope plane, tails included; at most 2. \
+        Appendix A in f32 has none: \
            its rounding error does not fall with distance.",
     value: |m| m.l1_error.unwrap_or(f64::NAN),
     distance: f64::abs,
@@ -66,7 +67,8 @@ pub(super) const LARGEST: Measure = Measure {
 
 pub(super) const TAIL: Measure = Measure {
     title: "Tail ratio",
-    note: "Filter over truth at {reach} alphas from the center; for the largest pixels that is still near their edge.",
+    note: "Filter over truth at {reach} alphas from the center; for the largest pixels that is \
+        still near their edge.",
     value: |m| m.tail_ratio,
     distance: |ratio| ratio.ln().abs(),
     show: |ratio| format!("{}\u{d7}", significant(ratio)),
@@ -78,7 +80,8 @@ pub(super) const TAIL: Measure = Measure {
 /// In the order of the page.
 pub(super) const MEASURES: [Measure; 4] = [PEAK, L1, LARGEST, TAIL];
 
-/// Of what is not negative; what f64 and its quadrature cannot tell from 0 is so much less than shown.
+/// Of what is not negative; what f64 and its quadrature cannot tell from 0 is so much less than
+/// shown.
 fn percent(x: f64) -> String {
     match x {
         x if x > 0.0 && x < ROUNDING => format!("<{} %", significant(100.0 * ROUNDING)),

@@ -100,7 +100,8 @@ impl Report {
         sizes::text(&self.sizes)
     }
 
-    /// One line per scene and distribution: the best filter, its cost and what it saves; then what the cover shows.
+    /// One line per scene and distribution: the best filter, its cost and what it saves; then what
+    /// the cover shows.
     pub(crate) fn summary_text(&self, cover: Option<&Cover>) -> String {
         let rows = self.findings().map(|(study, panel, best)| Line {
             cells: vec![
@@ -127,7 +128,8 @@ impl Report {
         let standings = overall::standings_table(&self.standings()).text();
         let advice = overall::advice_table(&self.advice()).text();
         format!(
-            "\nAll methods over all scenes, GGX, alpha {}\n{standings}\nWhat to use when\n{advice}{}\n",
+            "\nAll methods over all scenes, GGX, alpha {}\n{standings}\nWhat to use \
+                when\n{advice}{}\n",
             self.alpha(),
             overall::ADVICE_NOTE,
         )
@@ -185,8 +187,10 @@ impl Report {
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <title>lobe: error against run time</title>\n<style>\n{}</style>\n</head>\n<body>\n\
              <h1>Error against run time</h1>\n\
-             <p class=\"lead\">Specular filters at one sample per pixel against plain supersampling, \
-             plots at alpha = {}. The large number is how much longer supersampling takes to reach the best \
+             <p class=\"lead\">Specular filters at one sample per pixel against plain \
+             supersampling, \
+             plots at alpha = {}. The large number is how much longer supersampling takes to \
+             reach the best \
              filter\u{2019}s error.</p>\n\
              {front}{}{back}{}{}{}{}{}{}{}{}{}</body>\n</html>\n",
             include_str!("style.css"),

@@ -27,10 +27,14 @@ pub(super) fn advice_table(advice: &[Advice]) -> Table {
 }
 
 /// What the numbers of the advice mean.
-pub(super) const ADVICE_NOTE: &str = "Derived from this run. Error: RMSE over that of one unfiltered sample, geometric mean over all scenes and \
-     lights, each method against a reference of its own pixel filter; worst scene: the largest such ratio. SMAPE: the same \
-     of the mean relative error, where dark pixels count as much as bright ones: no wider GGX has the filtered lobe's tail, and \
-     all of them glow around a highlight; the exact mean does not. Cost: nanoseconds of shading per sample over no filter.";
+pub(super) const ADVICE_NOTE: &str = "Derived from this run. Error: RMSE over that of one \
+    unfiltered sample, geometric mean over all scenes and \
+     lights, each method against a reference of its own pixel filter; worst scene: the largest \
+     such ratio. SMAPE: the same \
+     of the mean relative error, where dark pixels count as much as bright ones: no wider GGX has \
+     the filtered lobe's tail, and \
+     all of them glow around a highlight; the exact mean does not. Cost: nanoseconds of shading \
+     per sample over no filter.";
 
 /// Every method over all scenes.
 pub(super) fn standings_table(standings: &[Standing]) -> Table {
@@ -117,13 +121,18 @@ pub(super) fn html(advice: &[Advice], standings: &[Standing], alpha: f64) -> [St
         escape(ADVICE_NOTE),
     );
     let back = format!(
-        "<h2>All methods over all scenes</h2>\n<p class=\"caption\">GGX, alpha {alpha}, all lights. Error and worst as \
-         above; against the box, a wide pixel filter pays for its width. Front: no other method has both a \
+        "<h2>All methods over all scenes</h2>\n<p class=\"caption\">GGX, alpha {alpha}, all \
+            lights. Error and worst as \
+         above; against the box, a wide pixel filter pays for its width. Front: no other method \
+         has both a \
          smaller error and a smaller time.</p>\n{}\
-         <h2>Operations</h2>\n<p class=\"caption\">Of shading one sample, footprint included, GGX at alpha {alpha}: counted on \
-         the pixels of the scenes by a number that notes what is done with it, the mean where branches differ. A \
+         <h2>Operations</h2>\n<p class=\"caption\">Of shading one sample, footprint included, GGX \
+         at alpha {alpha}: counted on \
+         the pixels of the scenes by a number that notes what is done with it, the mean where \
+         branches differ. A \
          transcendental function counts as one. The counterpart of Kaplanyan et al. 2016, Table 3, \
-         where forward shading grew by 19 instructions (Beckmann), 272 (GGX, rectangle) and 22 (GGX \
+         where forward shading grew by 19 instructions (Beckmann), 272 (GGX, rectangle) and 22 \
+         (GGX \
          proxy).</p>\n{}",
         standings_table(standings).html(),
         operations_table(standings).html(),

@@ -1,4 +1,5 @@
-//! Parts of a section: one thing that is measured, what it shows and what that says; on the page and as text.
+//! Parts of a section: one thing that is measured, what it shows and what that says; on the page
+//! and as text.
 
 use super::escape;
 use super::table::Table;

@@ -55,8 +55,8 @@ impl Tone {
         encode(size.width, size.height, &self.gray(values))
     }
 
-    /// The middles of pictures of one size side by side, with a white gap, as a PNG file: half their width
-    /// and height, every pixel as two by two.
+    /// The middles of pictures of one size side by side, with a white gap, as a PNG file: half
+    /// their width and height, every pixel as two by two.
     pub(super) fn strip(self, size: Size, pictures: &[&[f64]]) -> Vec<u8> {
         let (width, height) = (size.width / 2, size.height / 2);
         let mut gray = Vec::new();
@@ -71,7 +71,8 @@ impl Tone {
         encode(pictures.len() * (2 * width + GAP) - GAP, 2 * height, &gray)
     }
 
-    /// How far the middles of two pictures differ as they are shown, mean over pixels, in steps of 255.
+    /// How far the middles of two pictures differ as they are shown, mean over pixels, in steps
+    /// of 255.
     pub(super) fn difference(self, size: Size, a: &[f64], b: &[f64]) -> f64 {
         let rows = (0..size.height / 2).map(|row| {
             let pixels = middle(size, a, row).iter().zip(middle(size, b, row));
@@ -81,7 +82,8 @@ impl Tone {
     }
 }
 
-/// A picture of numbers from 0, black, to 1, white, without a tone curve, as `data:image/png;base64,...`.
+/// A picture of numbers from 0, black, to 1, white, without a tone curve, as
+/// `data:image/png;base64,...`.
 pub(super) fn linear(size: Size, values: &[f64]) -> String {
     // In 0 to 255: the cast only drops the fraction.
     #[allow(clippy::cast_sign_loss)]

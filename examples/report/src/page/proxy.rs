@@ -47,7 +47,8 @@ pub(super) fn html(proxies: &[Proxy]) -> String {
         lines: lines(proxies, |form, proxy| proxy.peak_ratios[form.place]),
     };
     format!(
-        "<h3>Kaplanyan\u{2019}s Eq. 20</h3>\n<p class=\"note\">{}</p>\n<div class=\"plots\">\n{}{}</div>\n",
+        "<h3>Kaplanyan\u{2019}s Eq. 20</h3>\n<p class=\"note\">{}</p>\n<div \
+            class=\"plots\">\n{}{}</div>\n",
         escape(&finding(proxies)),
         drawn("Widened alpha", &alphas),
         drawn("Peak under the box pixel", &peaks),
@@ -74,7 +75,8 @@ pub(super) fn finding(proxies: &[Proxy]) -> String {
     let at_one = proxies.iter().min_by(|a, b| from_one(a).total_cmp(&from_one(b)));
     let ((last_form, width), (over_pi, _)) = (worst(1), worst(2));
     format!(
-        "The paper calls the last form of Eq. 20 \u{201c}indistinguishable from the first approximation\u{201d}: its \
+        "The paper calls the last form of Eq. 20 \u{201c}indistinguishable from the first \
+            approximation\u{201d}: its \
          peak is wrong by {} where w is {} \u{3b1} and by {} where it is {} \u{3b1}; \
          \u{3b1}\u{b2} + w\u{b2}/\u{3c0} by at most {}.",
         signed_percent(at_one.map_or(f64::NAN, |proxy| error(proxy, 1))),

@@ -62,16 +62,23 @@ const TITLES: [(Way, &str); 5] = [
     (Way::PointOverArea, "Light from one direction, over the projected area in closed form"),
 ];
 
-const ERROR_NOTE: &str = "RMSE in % of the mean radiance, without the reference's noise, which stands beside it as a \
-    pixel's standard error; \u{201c}<\u{201d}: no more than the noise could make up. Cells: the library's own grids. \
+const ERROR_NOTE: &str = "RMSE in % of the mean radiance, without the reference's noise, which \
+    stands beside it as a \
+    pixel's standard error; \u{201c}<\u{201d}: no more than the noise could make up. Cells: the \
+    library's own grids. \
     Hermite: Gauss and Hermite's nodes. Normal map: all slopes alike, whatever of them is seen.";
 
-const AREA_NOTE: &str = "Sum of the weights over the projected area in closed form, minus 1, in %: mean of its size over \
-    the sphere / largest. Divided by the sum a grid never shows it under even light; divided by the area it does.";
+const AREA_NOTE: &str = "Sum of the weights over the projected area in closed form, minus 1, in \
+    %: mean of its size over \
+    the sphere / largest. Divided by the sum a grid never shows it under even light; divided by \
+    the area it does.";
 
-const CLOSED_NOTE: &str = "RMSE in % of the mean, as above. The lamp is the narrowest of the three, alone. Light: what \
-    shadows leave of the whole sky's. G2/G1: the same sum with each light weakened by masking and shadowing over masking; \
-    masking only: without, against rays that see the shadows. G2 knows of heights, not of azimuths: where eye and light \
+const CLOSED_NOTE: &str = "RMSE in % of the mean, as above. The lamp is the narrowest of the \
+    three, alone. Light: what \
+    shadows leave of the whole sky's. G2/G1: the same sum with each light weakened by masking and \
+    shadowing over masking; \
+    masking only: without, against rays that see the shadows. G2 knows of heights, not of \
+    azimuths: where eye and light \
     lean the same way over grooves, what the one sees the other reaches, and G2 is too dark.";
 
 /// Tables, pictures, charts, findings.
@@ -82,10 +89,13 @@ pub(super) fn html(relief: &Relief) -> String {
         .map(|(way, title)| format!("<h4>{}</h4>\n{}", escape(title), table(*way)));
     format!(
         "{}<p class=\"note\">{}</p>\n<p>{}</p>\n{}<h3>{}</h3>\n{}<p class=\"note\">{}</p>\n\
-         <details><summary>Other lookups and divisors, and brightness</summary>\n{}<h4>Mean radiance over the \
-         reference\u{2019}s, minus 1, in %: averaged light, over the sum</h4>\n<div class=\"wide\">{}</div></details>\n{}\
+         <details><summary>Other lookups and divisors, and brightness</summary>\n{}<h4>Mean \
+         radiance over the \
+         reference\u{2019}s, minus 1, in %: averaged light, over the sum</h4>\n<div \
+         class=\"wide\">{}</div></details>\n{}\
          <h3>Normalization error</h3>\n<div class=\"wide\">{}</div>\n<p class=\"note\">{}</p>\n\
-         <h3>One narrow lamp, and shadows</h3>\n<div class=\"wide\">{}</div>\n<p class=\"note\">{}</p>\n{}",
+         <h3>One narrow lamp, and shadows</h3>\n<div class=\"wide\">{}</div>\n<p \
+         class=\"note\">{}</p>\n{}",
         include_str!("relief.html"),
         facts(relief),
         escape(&finding(relief)),
@@ -109,8 +119,10 @@ pub(super) fn text(relief: &Relief) -> String {
     let tables =
         TITLES.iter().map(|(way, title)| format!("\n{title}\n{}", errors(relief, *way).text()));
     format!(
-        "\nLEADR against ray-cast relief\n{}\n{}{ERROR_NOTE}\n\nMean radiance over the reference's, minus 1, in %: averaged \
-         light, over the sum\n{}\nNormalization error\n{}{AREA_NOTE}\n\nOne narrow lamp, and shadows\n{}{CLOSED_NOTE}\n{}\n",
+        "\nLEADR against ray-cast relief\n{}\n{}{ERROR_NOTE}\n\nMean radiance over the \
+            reference's, minus 1, in %: averaged \
+         light, over the sum\n{}\nNormalization error\n{}{AREA_NOTE}\n\nOne narrow lamp, and \
+         shadows\n{}{CLOSED_NOTE}\n{}\n",
         facts(relief),
         tables.collect::<Vec<_>>().concat(),
         biases(relief).text(),
@@ -123,7 +135,8 @@ pub(super) fn text(relief: &Relief) -> String {
 /// Size of the experiment.
 fn facts(relief: &Relief) -> String {
     format!(
-        "{0} x {0} pixels, {1} rays per pixel through {2} random fields, half of them for each of two estimates; times at \
+        "{0} x {0} pixels, {1} rays per pixel through {2} random fields, half of them for each of \
+            two estimates; times at \
          \u{3c3} = 0.5, in f32.",
         relief.side, relief.rays, relief.fields,
     )
@@ -260,10 +273,14 @@ fn finding(relief: &Relief) -> String {
     };
     let published = Family::Published;
     format!(
-        "At worst over the spheres, 128 x 128 slopes err by {} against the rays, 32 x 32 by {}, 5 x 5 by {}, or {} if each slope \
-         takes its light from one direction only; normal mapping errs by {}. The library\u{2019}s cells err by {} with 9 x 9 slopes, \
-         where the published grid errs by {}. Of the area the published 5 x 5 slopes miss up to {} %, the cells {} %; 128 x 128 still \
-         {} %, as they end at 3 deviations. With shadows 32 x 32 slopes and G2/G1 err by {}, masking alone by {}.",
+        "At worst over the spheres, 128 x 128 slopes err by {} against the rays, 32 x 32 by {}, 5 \
+            x 5 by {}, or {} if each slope \
+         takes its light from one direction only; normal mapping errs by {}. The library\u{2019}s \
+         cells err by {} with 9 x 9 slopes, \
+         where the published grid errs by {}. Of the area the published 5 x 5 slopes miss up to \
+         {} %, the cells {} %; 128 x 128 still \
+         {} %, as they end at 3 deviations. With shadows 32 x 32 slopes and G2/G1 err by {}, \
+         masking alone by {}.",
         grid(published, 128, Way::Blurred),
         grid(published, 32, Way::Blurred),
         grid(published, 5, Way::Blurred),

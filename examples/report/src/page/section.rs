@@ -73,13 +73,15 @@ fn heading(panel: &Panel) -> String {
 fn facts(study: &Study) -> String {
     let footprints = study.disagreement.as_ref().map_or(String::new(), |footprints| {
         format!(
-            " Footprints from quads differ from analytic ones by {:.0} % in the mean, {:.0} % in the median.",
+            " Footprints from quads differ from analytic ones by {:.0} % in the mean, {:.0} % in \
+                the median.",
             100.0 * footprints.mean,
             100.0 * footprints.median,
         )
     });
     format!(
-        "{} x {} pixels, {:.0} % of them judged; {:.0} samples per pixel in the reference; geometry {} ns per sample, {} ns more with motions.{footprints}",
+        "{} x {} pixels, {:.0} % of them judged; {:.0} samples per pixel in the reference; \
+            geometry {} ns per sample, {} ns more with motions.{footprints}",
         study.size.width,
         study.size.height,
         100.0 * study.judged_part(),
@@ -221,7 +223,8 @@ pub(super) fn equal_time(row: &Row) -> String {
 fn noise(panel: &Panel) -> String {
     let [of_best, of_most] = panel.noise_ratios().map(|ratio| 100.0 * ratio);
     format!(
-        "Noise of the box reference: {}. Noise of each method\u{2019}s reference: {of_best:.2} % of the best \
+        "Noise of the box reference: {}. Noise of each method\u{2019}s reference: {of_best:.2} % \
+            of the best \
          filter\u{2019}s RMSE, at most {of_most:.1} % of any.",
         significant(panel.noise[PixelWindow::Box as usize]),
     )

@@ -1,4 +1,5 @@
-//! Filters in motion on the page: peaks over frames, a table by flicker, what it says; the same as text.
+//! Filters in motion on the page: peaks over frames, a table by flicker, what it says; the same as
+//! text.
 
 use super::axis::Scale;
 use super::chart::{Chart, Line as Curved, Range, around};
@@ -23,7 +24,8 @@ pub(super) fn html(sequences: &[Sequence]) -> String {
     }
     let sections = sequences.iter().map(|sequence| {
         format!(
-            "<h3>{}</h3>\n<p class=\"caption\">{}</p>\n<p>{}</p>\n<div class=\"plots\">\n{}{}</div>\n{}\
+            "<h3>{}</h3>\n<p class=\"caption\">{}</p>\n<p>{}</p>\n<div \
+                class=\"plots\">\n{}{}</div>\n{}\
              <p class=\"note\">{}</p>\n",
             escape(&title(sequence)),
             escape(&facts(sequence)),
@@ -65,7 +67,8 @@ fn facts(sequence: &Sequence) -> String {
         Movement::Pan => "the camera goes to its right",
     };
     format!(
-        "{} {frames} frames in which {movement}, {step} pixels a frame at the picture\u{2019}s center; {width} x \
+        "{} {frames} frames in which {movement}, {step} pixels a frame at the picture\u{2019}s \
+            center; {width} x \
          {height} pixels, {:.0} % of them judged; GGX, {light}, alpha {alpha}.",
         sequence.caption,
         100.0 * sequence.judged_part,
@@ -132,7 +135,8 @@ fn chart(
     }
 }
 
-/// The ratio of an axis' ends above which it is logarithmic: on shorter ones 1, 2 and 5 are too few ticks.
+/// The ratio of an axis' ends above which it is logarithmic: on shorter ones 1, 2 and 5 are too few
+/// ticks.
 const LONG: f64 = 8.0;
 
 /// Factor between the outermost values and the frame.
@@ -186,9 +190,12 @@ fn noise(sequence: &Sequence) -> String {
     let part = |track: &Track| 100.0 * track.noise / track.flicker;
     let largest = sequence.tracks.iter().map(part).fold(0.0, f64::max);
     format!(
-        "Deviation: standard deviation of x \u{2212} r over all frames and pixels. Peak ratio: mean over frames of the \
-         largest radiance over the reference\u{2019}s. Jump ratio: the largest change of that peak from one frame to the \
-         next over the reference\u{2019}s largest. Worst: largest |x \u{2212} r|, and how high the half vector stands over \
+        "Deviation: standard deviation of x \u{2212} r over all frames and pixels. Peak ratio: \
+            mean over frames of the \
+         largest radiance over the reference\u{2019}s. Jump ratio: the largest change of that \
+         peak from one frame to the \
+         next over the reference\u{2019}s largest. Worst: largest |x \u{2212} r|, and how high \
+         the half vector stands over \
          the surface there. Noise: the reference\u{2019}s own standard error, {} % of the best \
          filter\u{2019}s flicker and at most {} % of any method\u{2019}s.",
         significant(sequence.best().map_or(f64::NAN, part)),
@@ -204,7 +211,8 @@ fn finding(sequence: &Sequence) -> String {
     let many = sequence.tracks.iter().filter(|track| !track.filters && track.samples > 1);
     let many = many.map(|t| format!(", {} with {} samples", significant(t.flicker), t.samples));
     let unfiltered = format!(
-        "Without a filter the peak is {} times the reference\u{2019}s in the mean and jumps {} times as far.",
+        "Without a filter the peak is {} times the reference\u{2019}s in the mean and jumps {} \
+            times as far.",
         significant(plain.peak_ratio),
         significant(plain.jump_ratio),
     );
@@ -237,13 +245,15 @@ fn restless(sequence: &Sequence, plain: &Track) -> String {
     let names =
         restless.iter().map(|track| format!("{} (worst at {})", track.method, degrees(track)));
     let cause = if restless.iter().all(|track| track.worst.elevation < LOW) {
-        " So near the horizon slopes grow without bound, and an error of their density weighs as much as the \
+        " So near the horizon slopes grow without bound, and an error of their density weighs as \
+            much as the \
          slope\u{2019}s fourth power."
     } else {
         ""
     };
     format!(
-        " More than without a filter flickers, with the half vector\u{2019}s height above the surface: {}.{cause}",
+        " More than without a filter flickers, with the half vector\u{2019}s height above the \
+            surface: {}.{cause}",
         names.collect::<Vec<_>>().join("; "),
     )
 }

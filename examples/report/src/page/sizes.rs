@@ -3,9 +3,12 @@
 use super::table::{Line, Table};
 use crate::sizes::Sizes;
 
-const NOTE: &str = "SPIR-V by naga, before any driver has optimized it: one instruction for every operation, load, \
-                    field and branch; with every call written out and loops counted once. Kaplanyan et al. 2016, Table 3, \
-                    counts what NVIDIA's compiler made of GLSL, so compare orders within a column, not across.";
+const NOTE: &str = "SPIR-V by naga, before any driver has optimized it: one instruction for every \
+    operation, load, \
+                    field and branch; with every call written out and loops counted once. \
+                    Kaplanyan et al. 2016, Table 3, \
+                    counts what NVIDIA's compiler made of GLSL, so compare orders within a \
+                    column, not across.";
 
 fn presets(sizes: &Sizes) -> Table {
     let rows = sizes.presets.iter().map(|size| Line {
@@ -49,7 +52,8 @@ pub(super) fn text(sizes: &Sizes) -> String {
 /// As a section.
 pub(super) fn html(sizes: &Sizes) -> String {
     format!(
-        "<section>\n<h2>Shaders</h2>\n<p>What each scene needs, and no more: the text that <code>lobe::wgsl</code> gives \
+        "<section>\n<h2>Shaders</h2>\n<p>What each scene needs, and no more: the text that \
+            <code>lobe::wgsl</code> gives \
          for it.</p>\n{}\n<p>What filtering adds.</p>\n{}<p class=\"note\">{}</p>\n</section>\n",
         presets(sizes).html(),
         overheads(sizes).html(),

@@ -1,4 +1,5 @@
-//! Spheres of relief on the page: pictures in the order of Dupuy et al.'s tables, and error over time.
+//! Spheres of relief on the page: pictures in the order of Dupuy et al.'s tables, and error over
+//! time.
 
 use super::axis::Scale;
 use super::chart::{Chart, Line, Range};
@@ -17,7 +18,8 @@ type Shown<'a> = (String, &'a [f64]);
 
 /// Reference, normal mapping and the published grids, a row for each sphere.
 pub(super) fn skies(relief: &Relief) -> String {
-    let note = "Displaced: ray-cast. Each row under one tone curve. Slopes look up their light over their solid angle; \
+    let note = "Displaced: ray-cast. Each row under one tone curve. Slopes look up their light \
+        over their solid angle; \
                 what small grids leave of a lamp are its images by single slopes.";
     sheet(relief, note, |sphere| {
         let pictures = &sphere.pictures;
@@ -36,7 +38,8 @@ pub(super) fn skies(relief: &Relief) -> String {
 
 /// The narrowest lamp alone, with and without shadows.
 pub(super) fn lamps(relief: &Relief) -> String {
-    let note = "The narrowest lamp alone: ray-cast, and the closed form\u{2019}s mean over the lamp. Grain is the rays\u{2019} noise.";
+    let note = "The narrowest lamp alone: ray-cast, and the closed form\u{2019}s mean over the \
+        lamp. Grain is the rays\u{2019} noise.";
     sheet(relief, note, |sphere| {
         let [[rays, closed], [dark, dark_closed]] =
             [&sphere.pictures.lamp, &sphere.pictures.lamp_shadowed];
@@ -70,7 +73,8 @@ fn sheet<'a>(relief: &'a Relief, note: &str, row: impl Fn(&'a Sphere) -> Vec<Sho
     let titles = relief.spheres.first().map(&row).unwrap_or_default();
     let heads = titles.iter().map(|(title, _)| format!("<th>{}</th>", escape(title)));
     format!(
-        "<div class=\"scroll spheres\"><table>\n<thead><tr><th>\u{3c3}\u{3b8}, \u{3c3}\u{3c6}</th>{}</tr></thead>\n\
+        "<div class=\"scroll spheres\"><table>\n<thead><tr><th>\u{3c3}\u{3b8}, \
+            \u{3c3}\u{3c6}</th>{}</tr></thead>\n\
          <tbody>\n{}</tbody>\n</table></div>\n<p class=\"note\">{}</p>\n",
         heads.collect::<Vec<_>>().concat(),
         lines.collect::<Vec<_>>().concat(),
@@ -88,7 +92,8 @@ const LINES: [(&str, &str, Family, Way); 6] = [
     ("Hermite", "peak", Family::Hermite, Way::Blurred),
 ];
 
-/// Error over time for the spheres whose grids differ: the first and the last isotropic one, and one other.
+/// Error over time for the spheres whose grids differ: the first and the last isotropic one, and
+/// one other.
 pub(super) fn charts(relief: &Relief) -> String {
     let rough = |sphere: &&Sphere| sphere.sigma[0].max(sphere.sigma[1]) > 0.3;
     let round = |sphere: &&Sphere| sphere.sigma[0] == sphere.sigma[1];
@@ -105,7 +110,8 @@ pub(super) fn charts(relief: &Relief) -> String {
         drawn(&heading, &chart(relief, sphere))
     });
     format!(
-        "<h3>Error over time</h3>\n<div class=\"plots\">\n{}</div>\n<p class=\"note\">Each line runs over N; errors that \
+        "<h3>Error over time</h3>\n<div class=\"plots\">\n{}</div>\n<p class=\"note\">Each line \
+            runs over N; errors that \
          noise hides are drawn at its height, dotted.</p>\n",
         figures.collect::<Vec<_>>().concat(),
     )

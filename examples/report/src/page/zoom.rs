@@ -1,4 +1,5 @@
-//! A slow zoom on the page: peaks over frames, a table by how far they stray, what it says; the same as text.
+//! A slow zoom on the page: peaks over frames, a table by how far they stray, what it says; the
+//! same as text.
 
 use super::axis::Scale;
 use super::chart::{Chart, Line as Curved, Range, around};
@@ -11,7 +12,8 @@ use crate::minify::{Minified, Track, Zoom, name};
 pub(super) fn html(map: &Minified) -> String {
     let zoom = &map.zoom;
     format!(
-        "<h4>{}: a slow zoom</h4>\n<p class=\"caption\">{}</p>\n<p>{}</p>\n<div class=\"plots\">\n{}{}</div>\n\
+        "<h4>{}: a slow zoom</h4>\n<p class=\"caption\">{}</p>\n<p>{}</p>\n<div \
+            class=\"plots\">\n{}{}</div>\n\
          <details><summary>Table</summary>\n{}</details>\n",
         escape(&map.name),
         escape(&facts(zoom)),
@@ -34,7 +36,8 @@ pub(super) fn text(map: &Minified) -> String {
 
 fn facts(zoom: &Zoom) -> String {
     format!(
-        "{} frames from {} to {} texels per pixel, view {} degrees high; {} x {} pixels, GGX, alpha {}. Noise of the reference {}.",
+        "{} frames from {} to {} texels per pixel, view {} degrees high; {} x {} pixels, GGX, \
+            alpha {}. Noise of the reference {}.",
         zoom.ratios.len(),
         significant(zoom.ratios.first().copied().unwrap_or(f64::NAN)),
         significant(zoom.ratios.last().copied().unwrap_or(f64::NAN)),
@@ -125,7 +128,8 @@ fn finding(zoom: &Zoom) -> String {
     let best =
         single.min_by(|a, b| a.flicker.total_cmp(&b.flicker)).map_or("", |track| track.method);
     format!(
-        "The peak over the reference\u{2019}s in the mean: {}. Flicker: {}. Of single samples {best} flickers least.",
+        "The peak over the reference\u{2019}s in the mean: {}. Flicker: {}. Of single samples \
+            {best} flickers least.",
         each(|track| track.peak_ratio),
         each(|track| track.flicker),
     )

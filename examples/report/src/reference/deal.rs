@@ -8,8 +8,8 @@ use crate::metric;
 ///
 /// With errors c/n, the sum of squares is smallest for n like c^(2/3). A pixel's c is the pilot's
 /// difference around it: a glint that the pilot missed has neighbors that it did not. Absolute and
-/// relative errors have an equal say, as have alphas and distributions. Pixels that no window needs get
-/// the fewest.
+/// relative errors have an equal say, as have alphas and distributions. Pixels that no window needs
+/// get the fewest.
 pub(super) fn deal(sampling: Sampling, pilot: &[Halves], needed: &[bool], size: Size) -> Vec<u32> {
     let mut shares = vec![0.0; pilot.len()];
     for k in 0..CHANNELS {

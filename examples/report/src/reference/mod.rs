@@ -1,13 +1,14 @@
 //! The converged pictures: jittered strata, f64, the unfiltered BRDF, under every window at once.
 //!
-//! Within a stratum the half vector's slope changes by a fraction of alpha, so errors fall like 1/n and
-//! not like 1/sqrt(n). A few glints hold most of the error: a pilot picture finds them, its differences
-//! decide how the samples are dealt out, and it is then thrown away, which keeps the result unbiased.
+//! Within a stratum the half vector's slope changes by a fraction of alpha, so errors fall like 1/n
+//! and not like 1/sqrt(n). A few glints hold most of the error: a pilot picture finds them, its
+//! differences decide how the samples are dealt out, and it is then thrown away, which keeps the
+//! result unbiased.
 //!
-//! Geometry is sampled once for all alphas and both distributions. A pixel's samples are summed in 16 x 16
-//! cells, and each cell goes to the 5 x 5 pixels around with its share of their windows: a window is
-//! constant over a sixteenth of a pixel. Windows that hang over a silhouette are the mean over what they
-//! cover of the surface.
+//! Geometry is sampled once for all alphas and both distributions. A pixel's samples are summed in
+//! 16 x 16 cells, and each cell goes to the 5 x 5 pixels around with its share of their windows: a
+//! window is constant over a sixteenth of a pixel. Windows that hang over a silhouette are the mean
+//! over what they cover of the surface.
 
 mod deal;
 mod splat;
@@ -28,7 +29,8 @@ use splat::{Cell, Splatter, Sums};
 /// Most alphas that one reference is made for.
 pub(crate) const ALPHAS: usize = 3;
 
-/// Radiances of one sample: alphas, and for each the distributions in the order of [`Distribution::ALL`].
+/// Radiances of one sample: alphas, and for each the distributions in the order of
+/// [`Distribution::ALL`].
 const CHANNELS: usize = ALPHAS * Distribution::ALL.len();
 
 /// A reference picture under every window, with its own noise.
@@ -59,8 +61,8 @@ impl References {
 pub(crate) struct Sampling {
     /// Samples per pixel on average to deal out by need; no pixel gets fewer than a fixed number.
     pub(crate) samples: u32,
-    /// Strata along each side of a pixel, in each of two halves: of every pixel of the pilot, and of the
-    /// pixels that get the fewest.
+    /// Strata along each side of a pixel, in each of two halves: of every pixel of the pilot, and
+    /// of the pixels that get the fewest.
     pilot: u32,
     fewest: u32,
 }
@@ -125,7 +127,8 @@ impl Sampling {
                 for (sums, added) in open.iter_mut().zip(&spread) {
                     sums.iter_mut().zip(added).for_each(|(sum, added)| sum.add(added));
                 }
-                // Row y of the whole reaches from y - 2 MARGIN to y of the picture; the first is complete.
+                // Row y of the whole reaches from y - 2 MARGIN to y of the picture; the first is
+                // complete.
                 if let Some(complete) = open.pop_front()
                     && y >= 2 * MARGIN
                 {
@@ -216,8 +219,8 @@ impl<'a> Sampler<'a> {
         row
     }
 
-    /// Calls `take` for every hit of a pixel with its place in the pixel and its radiances over the number of
-    /// samples.
+    /// Calls `take` for every hit of a pixel with its place in the pixel and its radiances over the
+    /// number of samples.
     fn samples(
         &self,
         place: [usize; 2],

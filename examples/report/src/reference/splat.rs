@@ -6,7 +6,8 @@ use crate::window::{CELLS, MARGIN, OFFSETS, PerWindow, PixelWindow, Weights};
 /// Numbers of a cell: radiances and hits of both halves.
 const PARTS: usize = 2 * (CHANNELS + 1);
 
-/// Sums over a cell's samples, each with the area that it stands for: radiances and hits of both halves.
+/// Sums over a cell's samples, each with the area that it stands for: radiances and hits of both
+/// halves.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Cell([f64; PARTS]);
 
@@ -50,8 +51,8 @@ impl Splatter {
         Self(PixelWindow::ALL.map(|window| window.weights().map(density)))
     }
 
-    /// What a row of pixels, margin included, adds to the picture's rows from [`MARGIN`] before it to as many
-    /// behind it.
+    /// What a row of pixels, margin included, adds to the picture's rows from [`MARGIN`] before it
+    /// to as many behind it.
     pub(super) fn spread(&self, row: &[Cell], width: usize) -> Vec<Vec<Sums>> {
         let mut spread = vec![vec![Sums::default(); width]; OFFSETS];
         for (x, cells) in row.chunks_exact(CELLS * CELLS).enumerate() {

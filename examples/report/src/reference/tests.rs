@@ -68,7 +68,8 @@ fn a_constant_under_any_window_is_the_constant_also_at_borders_and_silhouettes()
 
 #[test]
 fn windows_average_a_picture_that_is_straight_or_square_exactly() {
-    // Radiance x^2 over cells, x in pixels from the middle of pixel 4: its mean is the window's variance.
+    // Radiance x^2 over cells, x in pixels from the middle of pixel 4: its mean is the window's
+    // variance.
     let splatter = Splatter::new();
     let (width, step) = (9, 1.0 / CELLS as f64);
     let row: Vec<_> = (0..(width + 2 * MARGIN) * CELLS * CELLS)

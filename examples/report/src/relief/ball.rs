@@ -1,9 +1,11 @@
-//! A sphere seen from afar: for each pixel the direction of the viewer in the frame of its tangent plane.
+//! A sphere seen from afar: for each pixel the direction of the viewer in the frame of its tangent
+//! plane.
 
 use crate::scalar::Scalar;
 use crate::vector::{Vector, cast, cross, dot};
 
-/// The direction to the viewer: the sphere's pole is upright, the picture's columns are in its plane.
+/// The direction to the viewer: the sphere's pole is upright, the picture's columns are in its
+/// plane.
 const VIEWER: Vector<f64> = [0.0, -1.0, 0.0];
 
 /// A square picture that the sphere fills, an even number of pixels wide.

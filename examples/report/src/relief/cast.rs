@@ -25,7 +25,8 @@ struct Walk<'a> {
 const FIRST_LEVEL: usize = 4;
 
 impl Field {
-    /// The first facet seen from far above along a direction that points up, at a place of the plane.
+    /// The first facet seen from far above along a direction that points up, at a place of the
+    /// plane.
     ///
     /// `None` for directions that do not rise.
     pub(super) fn seen(&self, towards: [f64; 3], place: [f64; 2]) -> Option<Hit> {
@@ -97,8 +98,8 @@ impl<'a> Walk<'a> {
         (exit.0.max(self.now), exit.1)
     }
 
-    /// Into the block beyond an axis' boundary. Cells are counted, not computed, so that rounding can neither stop a
-    /// ray nor let it skip a block.
+    /// Into the block beyond an axis' boundary. Cells are counted, not computed, so that rounding
+    /// can neither stop a ray nor let it skip a block.
     fn step(&mut self, level: usize, leave: f64, axis: usize) {
         let other = 1 - axis;
         let block = self.cell.map(|c| c >> level);
@@ -279,8 +280,9 @@ mod tests {
                 let deviation = (sigma[0] * towards[0]).hypot(sigma[1] * towards[1]);
                 let facing = 1.0 - 0.5 * Real::erfc(towards[2] / deviation * 0.5_f64.sqrt());
                 let ratio = seen_part(&fields, sigma, towards, 50_000) / (smith * facing);
-                // Facets beside one that turns away lean as it does and stand in its shelter: what faces the viewer is
-                // hidden more often than heights and slopes that know nothing of each other would have it.
+                // Facets beside one that turns away lean as it does and stand in its shelter: what
+                // faces the viewer is hidden more often than heights and slopes that know nothing
+                // of each other would have it.
                 assert!((0.9..1.02).contains(&ratio), "{sigma:?} {elevation} {turn}: {ratio}");
             }
         }

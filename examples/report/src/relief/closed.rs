@@ -1,4 +1,5 @@
-//! What needs no grid: the BRDF of a distant light, in closed form; and normal mapping, for contrast.
+//! What needs no grid: the BRDF of a distant light, in closed form; and normal mapping, for
+//! contrast.
 
 use std::f64::consts::TAU;
 
@@ -53,10 +54,12 @@ pub(super) fn lit_by_all(
     sky.lamps().iter().map(lit).sum()
 }
 
-/// Slopes of a normal map: enough, and in no rows, so that a lamp's images by single ones do not show.
+/// Slopes of a normal map: enough, and in no rows, so that a lamp's images by single ones do not
+/// show.
 const SLOPES: u32 = 4096;
 
-/// What a normal map of these slopes gives: every normal's reflection alike, however much of its facet is seen.
+/// What a normal map of these slopes gives: every normal's reflection alike, however much of its
+/// facet is seen.
 pub(super) fn normal_mapped(spot: &Spot<f64>, sigma: [f64; 2], sky: &Sky<f64>) -> f64 {
     let radiances = (0..SLOPES).map(|index| {
         let [u, v] = hammersley(index, SLOPES).map(f64::from);

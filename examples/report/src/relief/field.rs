@@ -8,9 +8,10 @@ use crate::pattern::Jitter;
 
 /// Heights at the corners of square cells of side 1, periodic, and a facet pair in every cell.
 ///
-/// A sum of plane waves at random phases with a Gaussian spectrum, so heights and their differences are Gaussian.
-/// Two triangles fill a cell, their common edge turned from cell to cell: their slopes are differences of heights,
-/// Gaussian as well, and a ray meets them without any search. Both deviations of the slopes are 1.
+/// A sum of plane waves at random phases with a Gaussian spectrum, so heights and their differences
+/// are Gaussian. Two triangles fill a cell, their common edge turned from cell to cell: their
+/// slopes are differences of heights, Gaussian as well, and a ray meets them without any search.
+/// Both deviations of the slopes are 1.
 pub(super) struct Field {
     /// Cells along each side: a power of two.
     side: usize,
@@ -71,7 +72,8 @@ impl Field {
         self.tops[level][y * (self.side >> level) + x].into()
     }
 
-    /// Facets of a cell: below and above the edge between them, which falls where [`Field::falls`] and else rises.
+    /// Facets of a cell: below and above the edge between them, which falls where [`Field::falls`]
+    /// and else rises.
     #[inline]
     pub(super) fn facets(&self, cell: [i64; 2]) -> [Facet; 2] {
         let corner = |x: i64, y: i64| self.corner([cell[0] + x, cell[1] + y]);
@@ -120,7 +122,8 @@ fn waves(side: usize, seed: u64) -> Vec<f64> {
         let multiple = multiple.rem_euclid(period).unsigned_abs() as usize;
         turns[multiple * step % side]
     };
-    // Waves along x for each wave number along y; half of the plane, as the other half is its conjugate.
+    // Waves along x for each wave number along y; half of the plane, as the other half is its
+    // conjugate.
     let rows: Vec<Vec<[f64; 2]>> = (0..=most)
         .into_par_iter()
         .map(|ky| {
@@ -155,7 +158,8 @@ fn waves(side: usize, seed: u64) -> Vec<f64> {
     heights
 }
 
-/// Root-mean-square difference of neighbors, over both axes: the waves make them alike but for chance.
+/// Root-mean-square difference of neighbors, over both axes: the waves make them alike but for
+/// chance.
 fn deviation(side: usize, heights: &[f64]) -> f64 {
     let mut sum = 0.0;
     for y in 0..side {
@@ -207,7 +211,8 @@ mod tests {
     #[test]
     fn slopes_are_gaussian_of_unit_deviation_on_both_axes() {
         let field = Field::new(512, 1);
-        // About 20 correlation lengths squared of independent slopes: (512 / 7)^2, that is 5000 of them.
+        // About 20 correlation lengths squared of independent slopes: (512 / 7)^2, that is 5000 of
+        // them.
         let error = 1.0 / 5000.0_f64.sqrt();
         for axis in [0, 1] {
             let moment = |power: i32| mean(&field, |s| s[axis].powi(power));

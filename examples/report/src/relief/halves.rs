@@ -37,8 +37,8 @@ impl Halves {
 
     /// A picture's errors.
     ///
-    /// Its distances from two independent halves multiply to its squared error, on average: each half's noise meets
-    /// no second factor of its own.
+    /// Its distances from two independent halves multiply to its squared error, on average: each
+    /// half's noise meets no second factor of its own.
     pub(crate) fn judge(&self, picture: &[f64]) -> Errors {
         let pixels = || picture.iter().zip(&self.estimates);
         let square = mean(pixels().map(|(x, [a, b])| (x - a) * (x - b)));

@@ -17,7 +17,8 @@ use super::sky::Sky;
 pub(crate) struct Sphere {
     /// Deviations of slopes along the angle from the pole and around the axis.
     pub(crate) sigma: [f64; 2],
-    /// Standard errors of the reference's pixels, over its mean: sky and lamps; the lamp alone; both with shadows.
+    /// Standard errors of the reference's pixels, over its mean: sky and lamps; the lamp alone;
+    /// both with shadows.
     pub(crate) noise: Lights<f64>,
     /// Light that reaches the eye with shadows over that without.
     pub(crate) unshadowed: f64,
@@ -46,7 +47,8 @@ pub(crate) struct Gathered {
     pub(crate) family: Family,
     /// Slopes along each side.
     pub(crate) count: usize,
-    /// Sum of the weights over the projected area, minus 1: mean of its size over the sphere, and where it is largest.
+    /// Sum of the weights over the projected area, minus 1: mean of its size over the sphere, and
+    /// where it is largest.
     pub(crate) normalization: [f64; 2],
     /// For each of [`Way::ALL`].
     pub(crate) errors: [Errors; 5],

@@ -1,9 +1,10 @@
-//! LEADR against ray-cast relief: what its grids and closed forms give for a sphere of Gaussian slopes, and what
-//! rays see of such a sphere.
+//! LEADR against ray-cast relief: what its grids and closed forms give for a sphere of Gaussian
+//! slopes, and what rays see of such a sphere.
 //!
-//! The relief is fine against a pixel and a pixel against the sphere: each pixel has one tangent plane, covered by a
-//! random `field` of its own at random places, and the lobe's Gaussian of slopes is exact. What is left is how a
-//! grid sums it, and what LEADR takes for granted: that slopes know nothing of their height.
+//! The relief is fine against a pixel and a pixel against the sphere: each pixel has one tangent
+//! plane, covered by a random `field` of its own at random places, and the lobe's Gaussian of
+//! slopes is exact. What is left is how a grid sums it, and what LEADR takes for granted: that
+//! slopes know nothing of their height.
 
 mod ball;
 mod cast;
@@ -44,7 +45,8 @@ pub(crate) struct Plan {
     pub(crate) sigmas: Vec<[f64; 2]>,
 }
 
-/// Dupuy et al. 2013, supplement: Table 8 and the strongest of each kind in Table 9, both ways round.
+/// Dupuy et al. 2013, supplement: Table 8 and the strongest of each kind in Table 9, both ways
+/// round.
 const SIGMAS: [[f64; 2]; 13] = [
     [0.01, 0.01],
     [0.05, 0.05],
@@ -133,7 +135,8 @@ mod tests {
         let relief = measured(vec![[0.5, 0.5], [1.6, 0.2]]);
         for sphere in &relief.spheres {
             let all = error(sphere, Family::Published, 128);
-            // Where relief hides light, and where it is bright, depends on heights as well: a few hundredths.
+            // Where relief hides light, and where it is bright, depends on heights as well: a few
+            // hundredths.
             assert!(all < 0.08, "{:?}: {all}", sphere.sigma);
             assert!(sphere.normal_mapping.rmse > 3.0 * all, "{:?}", sphere.normal_mapping);
             assert!(sphere.normal_mapping.bias < -0.05);

@@ -37,8 +37,8 @@ impl Sampling {
         Self { fields: (0..fields).map(|seed| Field::new(side, seed)).collect(), rays }
     }
 
-    /// Casts rays at all pixels. Every pixel has the tangent frame of its center, so that nothing but the relief
-    /// varies within it; lights are seen in whatever direction they are reflected.
+    /// Casts rays at all pixels. Every pixel has the tangent frame of its center, so that nothing
+    /// but the relief varies within it; lights are seen in whatever direction they are reflected.
     ///
     /// Mirrored fields are as random as they were: one ray serves four pixels.
     pub(super) fn render(
@@ -88,7 +88,8 @@ impl Sampling {
         for flips in FLIPS {
             spots.push(ball.spot(ball.mirrored(pixel, flips))?);
         }
-        // A field of unit slopes squeezed along its axes has these deviations; rays are stretched instead.
+        // A field of unit slopes squeezed along its axes has these deviations; rays are stretched
+        // instead.
         let stretched = |w: [f64; 3]| [sigma[0] * w[0], sigma[1] * w[1], w[2]];
         let towards = stretched(wo);
         let mut jitter = Jitter::new(seed);

@@ -108,7 +108,8 @@ impl Rule {
     }
 }
 
-/// How many times the solid angle the paper's rule for its levels of detail averages over; not less than all of it.
+/// How many times the solid angle the paper's rule for its levels of detail averages over; not less
+/// than all of it.
 fn widening(count: usize) -> f32 {
     // The same at any solid angle and size of the map.
     let levels = dupuy_cube_lod(1.0_f64, 1.0, count) - cube_lod(1.0, 1.0);

@@ -1,4 +1,5 @@
-//! What the sphere reflects: a sky and lamps around the world, as they are and as a solid angle of them.
+//! What the sphere reflects: a sky and lamps around the world, as they are and as a solid angle of
+//! them.
 
 use std::f64::consts::TAU;
 
@@ -19,12 +20,13 @@ pub(super) struct Lamp<R> {
     pub(super) direction: Vector<R>,
     pub(super) sharpness: R,
     brightness: R,
-    /// Radiance integrated over all directions: irradiance of a surface that faces it, if it is small.
+    /// Radiance integrated over all directions: irradiance of a surface that faces it, if it is
+    /// small.
     pub(super) irradiance: R,
 }
 
-/// Unit directions as whole numbers over 9: at the left in front, at the right, above and behind. The viewer looks
-/// along +y, up is +z.
+/// Unit directions as whole numbers over 9: at the left in front, at the right, above and behind.
+/// The viewer looks along +y, up is +z.
 const LAMPS: [([f64; 3], f64, f64); 3] =
     [([-4.0, -7.0, 4.0], 100.0, 15.0), ([8.0, -4.0, 1.0], 40.0, 6.0), ([1.0, 4.0, 8.0], 12.0, 2.0)];
 
@@ -71,9 +73,9 @@ impl<R: Scalar> Sky<R> {
 
     /// Mean radiance of about this solid angle around a unit direction.
     ///
-    /// A square of solid angle $\Omega$ has variance $v = \Omega/12$ along each axis. Blurred by a Gaussian of that,
-    /// harmonics of degree l fade by $e^{-l(l+1)v/2}$, and a lamp of variance $1/\lambda$ has $1/\lambda + v$ and sends
-    /// as much light as before.
+    /// A square of solid angle $\Omega$ has variance $v = \Omega/12$ along each axis. Blurred by a
+    /// Gaussian of that, harmonics of degree l fade by $e^{-l(l+1)v/2}$, and a lamp of variance
+    /// $1/\lambda$ has $1/\lambda + v$ and sends as much light as before.
     #[inline]
     pub(super) fn blurred(&self, w: Vector<R>, solid_angle: R) -> R {
         let variance = solid_angle * R::lit(1.0 / 12.0);
@@ -148,7 +150,8 @@ mod tests {
     fn a_blurred_lamp_is_the_mean_of_a_square() {
         let sky = Sky::lamp();
         let d = sky.lamps()[0].direction;
-        // A square of half width h in the plane across, small enough to be flat: its center sees the mean over it.
+        // A square of half width h in the plane across, small enough to be flat: its center sees
+        // the mean over it.
         let across = lobe::slope::direction::normalize([d[1], -d[0], 0.0]);
         let along = crate::vector::cross(d, across);
         let h = 0.05;

@@ -29,11 +29,12 @@ pub(crate) struct Clocked {
     pub(crate) times: [f64; 5],
 }
 
-/// Deviation of the slopes that is timed: nothing depends on it but what the lamps' exponentials underflow to.
+/// Deviation of the slopes that is timed: nothing depends on it but what the lamps' exponentials
+/// underflow to.
 const SIGMA: f32 = 0.5;
 
-/// Pixels along the sphere: as few as can be. The largest grid takes a millisecond for each, and a pass should end
-/// before another process interrupts it.
+/// Pixels along the sphere: as few as can be. The largest grid takes a millisecond for each, and a
+/// pass should end before another process interrupts it.
 const SIDE: usize = 2;
 
 impl Speed {

@@ -63,7 +63,8 @@ impl Balls<f64> {
         let largest = radii.clone().fold(0.0, f64::max);
         let smallest = radii.fold(f64::INFINITY, f64::min);
         let caption = format!(
-            "{} balls, radii from {largest:.0} to {smallest:.0} pixels, light from behind at the upper right.",
+            "{} balls, radii from {largest:.0} to {smallest:.0} pixels, light from behind at the \
+                upper right.",
             disks.len(),
         );
         let balls =
@@ -77,8 +78,8 @@ impl Balls<f64> {
     }
 }
 
-/// Disks (x, z, radius) that fit into a picture around the origin, each the first place that is free, from
-/// the upper left; one that fills the picture if there is no room for any.
+/// Disks (x, z, radius) that fit into a picture around the origin, each the first place that is
+/// free, from the upper left; one that fills the picture if there is no room for any.
 fn pack(size: Size, unit: f64) -> Vec<[f64; 3]> {
     let [half_width, half_height] = [size.width, size.height].map(|side| 0.5 * side as f64);
     let mut disks: Vec<[f64; 3]> = Vec::new();

@@ -19,8 +19,8 @@ const HUB: f64 = 12.0;
 const GROOVE: f64 = 7.0;
 const STEEPNESS: f64 = 0.08;
 
-/// What bends the grooves: sines of the point, their lengths in pixels, headings in degrees, and how much
-/// the grooves' phase follows them, as a slope.
+/// What bends the grooves: sines of the point, their lengths in pixels, headings in degrees, and
+/// how much the grooves' phase follows them, as a slope.
 const WOBBLES: [[f64; 3]; 2] = [[61.0, 20.0, 0.14], [43.0, 131.0, 0.1]];
 
 /// One sine that bends the grooves.
@@ -53,8 +53,10 @@ impl Disk<f64> {
             Wobble { k: [k * cos, k * sin], slope: [slope * cos, slope * sin] }
         });
         let caption = format!(
-            "A brushed disk seen {elevation:.0} degrees above its plane, roughness alpha along its grooves and \
-             {ACROSS:.0} alpha across, a groove every {GROOVE:.0} pixels and not quite round; light ahead at \
+            "A brushed disk seen {elevation:.0} degrees above its plane, roughness alpha along \
+                its grooves and \
+             {ACROSS:.0} alpha across, a groove every {GROOVE:.0} pixels and not quite round; \
+             light ahead at \
              {elevation:.0} degrees.",
         );
         let k = tau / (GROOVE * unit);

@@ -11,8 +11,8 @@ pub(crate) struct NormalMap {
     pub(crate) texture: Arc<Texture>,
 }
 
-/// The maps the program carries: name and PNG. Origin and license: assets/README.md. The first is the one
-/// of quick runs.
+/// The maps the program carries: name and PNG. Origin and license: assets/README.md. The first is
+/// the one of quick runs.
 const CARRIED: [(&str, &[u8]); 4] = [
     ("leather", include_bytes!("../../assets/leather.png")),
     ("diamond-plate", include_bytes!("../../assets/diamond-plate.png")),
@@ -26,8 +26,8 @@ pub(crate) fn carried_maps(all: bool) -> Result<Vec<NormalMap>, String> {
     CARRIED[..count].iter().map(decode).collect()
 }
 
-/// The map of the turning ball: of the carried ones it flickers most without a filter, 68 times the mean radiance
-/// in a ball of 40 pixels radius at alpha 0.01, the others 10 to 52 times.
+/// The map of the turning ball: of the carried ones it flickers most without a filter, 68 times the
+/// mean radiance in a ball of 40 pixels radius at alpha 0.01, the others 10 to 52 times.
 pub(crate) fn restless_map() -> Result<NormalMap, String> {
     decode(&CARRIED[1])
 }

@@ -20,7 +20,8 @@ const RADIUS: f64 = 0.444;
 /// Texels per pixel where the ball faces the eye.
 const DENSITY: f64 = 1.0;
 
-/// The ball; its map is laid on by Lambert's equal-area projection from the point that faces the eye.
+/// The ball; its map is laid on by Lambert's equal-area projection from the point that faces the
+/// eye.
 pub(super) struct MappedBall<R> {
     ball: Ball<R>,
     /// In texels.
@@ -29,11 +30,13 @@ pub(super) struct MappedBall<R> {
 }
 
 impl MappedBall<f64> {
-    /// The ball around the origin, facing the eye along +y, and a caption; the unit of length is a pixel.
+    /// The ball around the origin, facing the eye along +y, and a caption; the unit of length is a
+    /// pixel.
     pub(super) fn seen_in(size: Size, map: &NormalMap) -> (Self, String) {
         let radius = RADIUS * size.height as f64;
         let caption = format!(
-            "A ball of {radius:.0} pixels radius with {}, bilinear and repeating, {DENSITY:.0} texel per pixel \
+            "A ball of {radius:.0} pixels radius with {}, bilinear and repeating, {DENSITY:.0} \
+                texel per pixel \
              in the middle and the more the nearer to the silhouette; light from the upper right.",
             map.name,
         );

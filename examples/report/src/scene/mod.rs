@@ -1,4 +1,5 @@
-//! What is rendered: a surface, a camera, a light; in f32 for the methods and in f64 for the reference.
+//! What is rendered: a surface, a camera, a light; in f32 for the methods and in f64 for the
+//! reference.
 //!
 //! A new scene is a new [`Surface`] in a file of its own and one more constructor of [`Subject`].
 
@@ -53,8 +54,8 @@ pub(crate) struct Sample<R> {
     pub(crate) hit: bool,
 }
 
-/// Changes of a sample to the pixel at the right and to the one below: of $w_o + w_i$, of the shading normal
-/// and of the frame about it.
+/// Changes of a sample to the pixel at the right and to the one below: of $w_o + w_i$, of the
+/// shading normal and of the frame about it.
 pub(crate) type Motions<R> = [Motion<R>; 2];
 
 /// A lit surface in one precision.
@@ -115,7 +116,8 @@ impl<R: Scalar> Scene<R> {
 
     /// What changes where the ray's direction does.
     ///
-    /// Out of line: inlined twice, the two are packed into lanes through memory, at up to ten times the cost.
+    /// Out of line: inlined twice, the two are packed into lanes through memory, at up to ten times
+    /// the cost.
     #[inline(never)]
     fn motion(
         &self,

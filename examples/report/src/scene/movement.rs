@@ -19,8 +19,8 @@ pub(crate) enum Movement {
 impl Subject {
     /// The scene once the movement has shifted what is at the picture's center by `pixels`.
     ///
-    /// A turn shifts what comes to the center by as much at every time, whatever has passed by before. Where
-    /// the center shows nothing, or the axis itself, nothing turns.
+    /// A turn shifts what comes to the center by as much at every time, whatever has passed by
+    /// before. Where the center shows nothing, or the axis itself, nothing turns.
     pub(crate) fn lit_after(&self, light: LightKind, movement: Movement, pixels: f64) -> Lit {
         let [x, y] = [self.size.width, self.size.height].map(|side| 0.5 * side as f64);
         let ray = self.camera.ray(x, y);
@@ -69,8 +69,8 @@ mod tests {
         let water = Subject::water(SIZE);
         for from in [-7.0, 0.0, 3.3] {
             for step in [0.05, 0.2, 0.3] {
-                // A turn moves along an arc of 40 pixels radius, seen from 1000 pixels away: 0.3 pixels are
-                // 7.5e-3 radians, and sin is less than its angle by a part of 1e-5.
+                // A turn moves along an arc of 40 pixels radius, seen from 1000 pixels away: 0.3
+                // pixels are 7.5e-3 radians, and sin is less than its angle by a part of 1e-5.
                 let [x, y] = followed(&ball, Movement::Turn, from, from + step);
                 assert!(
                     ((x - 80.0) / step - 1.0).abs() < 2e-5 && (y - 45.0).abs() < 1e-9,
@@ -102,8 +102,8 @@ mod tests {
                 assert!(dot(changed, changed) > 1e-12);
             }
         }
-        // The camera keeps its direction: under a distant light a pan is another part of the same picture
-        // along a row of constant depth, by as many pixels as that depth makes of the step.
+        // The camera keeps its direction: under a distant light a pan is another part of the same
+        // picture along a row of constant depth, by as many pixels as that depth makes of the step.
         let water = Subject::water(SIZE);
         let rest = water.lit(LightKind::Distant).exact;
         let panned = water.lit_after(LightKind::Distant, Movement::Pan, 2.0).exact;

@@ -36,7 +36,8 @@ impl MappedPlane<f64> {
         let density = DENSEST / longest;
         let [width, height] = map.texture.size();
         let caption = format!(
-            "{} ({width} x {height}), bilinear and repeating, view {} to {} degrees above the plane, \
+            "{} ({width} x {height}), bilinear and repeating, view {} to {} degrees above the \
+                plane, \
              light {} degrees high ahead; {:.2} texels per pixel across the view at the bottom \
              to {DENSEST:.2} along it at the top.",
             map.name,

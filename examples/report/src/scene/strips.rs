@@ -37,14 +37,16 @@ pub(super) struct Strips<R> {
     parts: Vec<Strip<R>>,
     /// Columns and rows.
     grid: [i32; 2],
-    /// From a ray's direction to the grid: the picture's axes over the size of a cell, and the view's.
+    /// From a ray's direction to the grid: the picture's axes over the size of a cell, and the
+    /// view's.
     picture: [Vector<R>; 3],
 }
 
 impl Strips<f64> {
-    /// As many as the picture holds, and a caption. `unit` is a pixel's width at the origin, which the camera
-    /// looks at along +y. `aim` is the direction from a place to a light, for the even and for the odd fields
-    /// of the grid's checkerboard: the middle of each strip reflects its light to the eye.
+    /// As many as the picture holds, and a caption. `unit` is a pixel's width at the origin, which
+    /// the camera looks at along +y. `aim` is the direction from a place to a light, for the even
+    /// and for the odd fields of the grid's checkerboard: the middle of each strip reflects its
+    /// light to the eye.
     pub(super) fn seen_by(
         camera: &Camera<f64>,
         size: Size,
@@ -66,7 +68,8 @@ impl Strips<f64> {
                 let normal = normalize(sub(aim((row + column) % 2 != 0, middle), view));
                 let angle = (-dot(normal, view)).asin();
                 let bend = HALF_BEND.to_radians();
-                // On the picture the ball's slice is r (cos(angle - bend) - cos(angle + bend)) high.
+                // On the picture the ball's slice is r (cos(angle - bend) - cos(angle + bend))
+                // high.
                 let width = WIDTHS[index % WIDTHS.len()] * unit;
                 let radius = width / ((angle - bend).cos() - (angle + bend).cos());
                 lowest = lowest.min((angle - bend).to_degrees());
@@ -81,7 +84,8 @@ impl Strips<f64> {
             }
         }
         let caption = format!(
-            "{} thin strips of gently bent sheet, 6 to 15 pixels wide, seen at {lowest:.1} to {highest:.1} \
+            "{} thin strips of gently bent sheet, 6 to 15 pixels wide, seen at {lowest:.1} to \
+                {highest:.1} \
              degrees; half of them are turned to reflect the distant light, half the point light.",
             strips.len(),
         );

@@ -59,8 +59,8 @@ const DISC_VIEW: f64 = 40.0;
 /// Elevation of the light over strips, in degrees: they are seen at about half of it.
 const STRIP_LIGHT: f64 = 8.0;
 
-/// Pictures narrower than this keep their features' sizes in pixels and show fewer of them; in wider ones
-/// the features grow.
+/// Pictures narrower than this keep their features' sizes in pixels and show fewer of them; in
+/// wider ones the features grow.
 const FULL_WIDTH: f64 = 400.0;
 
 impl Subject {
@@ -141,8 +141,8 @@ impl Subject {
         }
     }
 
-    /// A plane below a camera at height 1, a light straight ahead; the point light's mirror image is where
-    /// the distant one's is, at twice the distance of the eye.
+    /// A plane below a camera at height 1, a light straight ahead; the point light's mirror image
+    /// is where the distant one's is, at twice the distance of the eye.
     fn over_plane(
         name: String,
         caption: String,

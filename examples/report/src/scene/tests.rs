@@ -36,9 +36,9 @@ fn points(scene: &Scene<f64>, size: Size) -> Vec<[f64; 2]> {
     places.into_iter().step_by(step).collect()
 }
 
-/// The largest difference between derivatives of the half vector on the projected disk: of a quad whose
-/// pixels are `h` apart, and analytic; and the size of the latter. On the slope plane the two grow without
-/// bound where half vectors near the horizon.
+/// The largest difference between derivatives of the half vector on the projected disk: of a quad
+/// whose pixels are `h` apart, and analytic; and the size of the latter. On the slope plane the two
+/// grow without bound where half vectors near the horizon.
 fn quad_error(scene: &Scene<f64>, [x, y]: [f64; 2], h: f64) -> [f64; 2] {
     let (here, motions) = scene.sample_in_motion(x, y);
     let (beside, below) = (scene.sample(x + h, y), scene.sample(x, y + h));

@@ -37,12 +37,14 @@ struct Distance<R> {
 }
 
 impl Torus<f64> {
-    /// The torus, its axis tilted upwards from the view along +y, and a caption; `unit` is a pixel's width.
+    /// The torus, its axis tilted upwards from the view along +y, and a caption; `unit` is a
+    /// pixel's width.
     pub(super) fn seen_in(size: Size, unit: f64) -> (Self, String) {
         let tube = TUBE * unit;
         let ring = (RING * size.height as f64).max(1.6 * tube);
         let caption = format!(
-            "A torus, its ring of {ring:.0} and its tube of {tube:.0} pixels radius, the axis {TILT:.0} degrees \
+            "A torus, its ring of {ring:.0} and its tube of {tube:.0} pixels radius, the axis \
+                {TILT:.0} degrees \
              from the view, light from behind at the upper right.",
         );
         (Self::of(ring, tube), caption)
@@ -110,9 +112,10 @@ impl<R: Scalar> Torus<R> {
 
     /// Parameter of the first hit on a ray of unit direction, in the torus' frame.
     ///
-    /// Safe steps of the distance far away; within a tube's radius of the surface Newton's, at most as long
-    /// as that radius. On a ray towards the outside of the tube the distance is convex, so that Newton's
-    /// steps do not pass the root; where the tube curves away they may, and the next one comes back.
+    /// Safe steps of the distance far away; within a tube's radius of the surface Newton's, at most
+    /// as long as that radius. On a ray towards the outside of the tube the distance is convex, so
+    /// that Newton's steps do not pass the root; where the tube curves away they may, and the next
+    /// one comes back.
     #[inline]
     fn march(&self, eye: Vector<R>, direction: Vector<R>) -> Option<R> {
         let bound = self.ring + self.tube;
@@ -159,7 +162,8 @@ impl<R: Scalar> Shape<R> for Torus<R> {
         Some(Hit { point: self.outward(point), geometric: normal, normal, tangent, part: 0 })
     }
 
-    /// Curvature 1/tube around the tube, and around the axis the normal's part away from it over the distance.
+    /// Curvature 1/tube around the tube, and around the axis the normal's part away from it over
+    /// the distance.
     #[inline]
     fn turn(&self, hit: &Hit<R>, step: Vector<R>) -> Turn<R> {
         let (point, step) = (self.inward(hit.point), self.inward(step));
@@ -180,8 +184,8 @@ mod tests {
     use crate::vector::along;
     use lobe::slope::direction::normalize;
 
-    /// Rays from afar over the whole torus: every hit is on it, no ray passes through it before, and both
-    /// precisions agree.
+    /// Rays from afar over the whole torus: every hit is on it, no ray passes through it before,
+    /// and both precisions agree.
     #[test]
     fn hits_are_the_first_points_of_the_torus_on_their_rays() {
         let (torus, _) = Torus::seen_in(Size::of_width(400), 1.0);

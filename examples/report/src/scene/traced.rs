@@ -6,7 +6,8 @@ use crate::frame::Frame;
 use crate::scalar::Scalar;
 use crate::vector::sub;
 
-/// Position, curvature and pixel steps at a pixel's center, in its shading frame; zeros without a surface.
+/// Position, curvature and pixel steps at a pixel's center, in its shading frame; zeros without a
+/// surface.
 ///
 /// For surfaces that are shaded with their own normal.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -17,9 +17,9 @@ const FARTHEST_WAVE: f64 = 12.0;
 
 /// Wavelength in units of the shortest, heading in degrees from +x, steepest slope, phase.
 ///
-/// Slopes of 0.143 in the root mean square, what Cox & Munk 1954 measured under a wind of 3.4 m/s: many
-/// times the lobe's width at alpha = 0.01, so that glints stand apart, and hardly ever steep enough to
-/// face away from the eye.
+/// Slopes of 0.143 in the root mean square, what Cox & Munk 1954 measured under a wind of 3.4 m/s:
+/// many times the lobe's width at alpha = 0.01, so that glints stand apart, and hardly ever steep
+/// enough to face away from the eye.
 const WAVES: [[f64; 4]; 7] = [
     [4.3, 74.0, 0.078, 0.3],
     [3.1, 118.0, 0.087, 1.9],
@@ -43,9 +43,9 @@ struct Wave<R> {
 pub(super) struct Waves<R>([Wave<R>; WAVES.len()]);
 
 impl Waves<f64> {
-    /// Waves whose shortest spans [`FARTHEST_WAVE`] pixels along the view at the top of the picture,
-    /// and a caption. The picture's size decides how many waves it shows, never how many pixels a
-    /// wave has: errors at different sizes compare.
+    /// Waves whose shortest spans [`FARTHEST_WAVE`] pixels along the view at the top of the
+    /// picture, and a caption. The picture's size decides how many waves it shows, never how many
+    /// pixels a wave has: errors at different sizes compare.
     pub(super) fn seen_by(camera: &Camera<f64>, size: Size) -> (Self, String) {
         let middle = 0.5 * size.width as f64;
         let [_, top] = camera.steps(middle, 0.5);
@@ -53,7 +53,8 @@ impl Waves<f64> {
         let shortest = FARTHEST_WAVE * top;
         let caption = format!(
             "Seven sine waves on a plane, view {} to {} degrees above it, light {} degrees high \
-             ahead; the shortest wave spans {FARTHEST_WAVE:.0} pixels along the view at the top and \
+             ahead; the shortest wave spans {FARTHEST_WAVE:.0} pixels along the view at the top \
+             and \
              {:.0} at the bottom.",
             VIEW.top,
             VIEW.bottom,

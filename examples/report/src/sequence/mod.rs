@@ -1,7 +1,9 @@
-//! Filters in motion: what each makes of glints that are born, move by fractions of a pixel and die.
+//! Filters in motion: what each makes of glints that are born, move by fractions of a pixel and
+//! die.
 //!
-//! After Kaplanyan et al. 2016, Fig. 12: the largest radiance of each frame with a filter, without one, and as it
-//! should be. A still picture does not tell an error that stays from one that flickers.
+//! After Kaplanyan et al. 2016, Fig. 12: the largest radiance of each frame with a filter, without
+//! one, and as it should be. A still picture does not tell an error that stays from one that
+//! flickers.
 
 mod track;
 
@@ -69,7 +71,8 @@ pub(crate) struct Converged {
     pub(crate) noise: f64,
 }
 
-/// What was measured of one sequence; radiance is scaled to a mean of 1 of the box reference over all frames.
+/// What was measured of one sequence; radiance is scaled to a mean of 1 of the box reference over
+/// all frames.
 #[derive(Serialize)]
 pub(crate) struct Sequence {
     pub(crate) name: String,

@@ -82,8 +82,8 @@ pub(super) fn peak(values: impl Iterator<Item = f64>, judged: &[bool]) -> f64 {
     values.zip(judged).filter(|(_, judged)| **judged).map(|(value, _)| value).fold(0.0, f64::max)
 }
 
-/// Mean of some numbers and the sum of their squared distances from it, by Welford's updates: equal numbers
-/// have no distances, to the last bit.
+/// Mean of some numbers and the sum of their squared distances from it, by Welford's updates: equal
+/// numbers have no distances, to the last bit.
 #[derive(Clone, Copy, Default)]
 struct Moments {
     count: f64,
@@ -140,7 +140,8 @@ impl Tally {
         &self.peaks
     }
 
-    /// Root mean square over the pixels that were judged in every frame of the standard deviation in time.
+    /// Root mean square over the pixels that were judged in every frame of the standard deviation
+    /// in time.
     pub(crate) fn flicker(&self) -> f64 {
         let frames = self.frames as f64;
         let always = self.pixels.iter().filter(|pixel| pixel.count == frames);

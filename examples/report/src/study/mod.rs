@@ -168,7 +168,8 @@ struct Under<'a> {
 }
 
 impl Under<'_> {
-    /// The panels of every alpha and distribution; the first one keeps its pictures if it is `shown`.
+    /// The panels of every alpha and distribution; the first one keeps its pictures if it is
+    /// `shown`.
     fn panels(&self, references: &References, pictures: Pictures, shown: bool) -> Vec<Panel> {
         let mut panels = Vec::new();
         for (index, mut pictures) in pictures.into_iter().enumerate() {
@@ -229,7 +230,8 @@ impl Under<'_> {
     }
 }
 
-/// Fills in what rows are worth against each other: the front, and what supersampling pays for the same error.
+/// Fills in what rows are worth against each other: the front, and what supersampling pays for the
+/// same error.
 fn compare(rows: &mut [Row]) {
     let points: Vec<_> = rows.iter().map(Row::point).collect();
     let front = pareto(&points);

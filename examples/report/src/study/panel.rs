@@ -24,7 +24,8 @@ pub(crate) struct Row {
     pub(crate) box_errors: Errors,
     /// Nanoseconds of shading per sample, footprints included.
     pub(crate) shading: f64,
-    /// Nanoseconds per pixel: samples times geometry, motions if the method needs them, and shading.
+    /// Nanoseconds per pixel: samples times geometry, motions if the method needs them, and
+    /// shading.
     pub(crate) pixel: f64,
     /// Operations of shading per sample, in the mean; of an isotropic material.
     pub(crate) operations: Tally,

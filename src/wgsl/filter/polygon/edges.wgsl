@@ -175,7 +175,11 @@ fn lobe_edges_radial(d: f32, start: f32, end: f32, length: f32) -> f32 {
     let first = (square + start * start) * (q + start * start);
     let second = (square + end * end) * (q + end * end);
     let main = length
-        * ((flat_sum / first) * (round_sum / second) + (product / first) * (length * length / second));
-    let rest = lobe_atan_excess(abs(d) * length / flat_sum) - abs(d) / s * lobe_atan_excess(s * length / round_sum);
+        * (
+            (flat_sum / first) * (round_sum / second)
+                + (product / first) * (length * length / second)
+        );
+    let rest = lobe_atan_excess(abs(d) * length / flat_sum)
+        - abs(d) / s * lobe_atan_excess(s * length / round_sum);
     return d * main + select(-rest, rest, d > 0.0);
 }

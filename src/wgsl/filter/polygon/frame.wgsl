@@ -42,7 +42,8 @@ fn lobe_frame_corner(exact: bool, offset: f32, offset_low: f32, along: f32, acro
 
 // Rust: `Frame::new`; exact from slope space, where that is asked for.
 fn lobe_frame_new(
-    exact: bool, w: LobeWhitened, shape: LobeAnisotropic, offset: vec2f, offset_low: vec2f, footprint: LobeFootprint
+    exact: bool, w: LobeWhitened, shape: LobeAnisotropic, offset: vec2f, offset_low: vec2f,
+    footprint: LobeFootprint
 ) -> LobeFrame {
     let zero = vec2f(0.0, 0.0);
     let u = footprint.u;
@@ -50,7 +51,9 @@ fn lobe_frame_new(
     var swap = lobe_whitened_is_swapped(w);
     if exact {
         let sum = lobe_anisotropic_whiten(shape, vec2f(u.x + v.x, u.y + v.y), zero);
-        swap = lobe_strip_dot(sum, lobe_anisotropic_whiten(shape, vec2f(v.x - u.x, v.y - u.y), zero)) > 0.0;
+        swap = lobe_strip_dot(
+            sum, lobe_anisotropic_whiten(shape, vec2f(v.x - u.x, v.y - u.y), zero)
+        ) > 0.0;
     }
     let a = select(u, v, swap);
     let b = select(v, u, swap);
@@ -72,8 +75,12 @@ fn lobe_frame_new(
     for (var k = 0u; k < 4u; k++) {
         let along = select(-0.5, 0.5, k == 1u || k == 2u);
         let across = select(-0.5, 0.5, k >= 2u);
-        let x = lobe_frame_corner(exact, offset.x, offset_low.x, along * forward.x, across * back.x);
-        let y = lobe_frame_corner(exact, offset.y, offset_low.y, along * forward.y, across * back.y);
+        let x = lobe_frame_corner(
+            exact, offset.x, offset_low.x, along * forward.x, across * back.x
+        );
+        let y = lobe_frame_corner(
+            exact, offset.y, offset_low.y, along * forward.y, across * back.y
+        );
         let white = lobe_frame_whiten(exact, shape, vec2f(x.x, y.x), vec2f(x.y, y.y));
         t[k] = mirror * (axis.x * white.x + axis.y * white.y);
         // Sides below, right, above and left.
@@ -97,7 +104,8 @@ fn lobe_frame_new(
     let low_n = apart.x * along;
     let high_n = apart.z * along;
     return LobeFrame(
-        length, shear, height, lobe_max(square, 0.0), side, 0.5 * (low_n + high_n), t.xy, t.wz, low_n, high_n,
+        length, shear, height, lobe_max(square, 0.0), side, 0.5 * (low_n + high_n), t.xy, t.wz,
+        low_n, high_n,
         apart.w * across, -apart.y * across, lobe_strip_nearness(t.xz, vec2f(low_n, high_n))
     );
 }

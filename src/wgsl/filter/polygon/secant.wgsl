@@ -1,7 +1,7 @@
 // How high the normals stand that a mean comes from. Rust: src/filter/polygon/secant.rs.
 
-// WGSL only: an option in Rust: the first slope and its q, known if the lobe is a groove to the footprint; and whether the
-// whitened sides are nearly parallel.
+// WGSL only: an option in Rust: the first slope and its q, known if the lobe is a groove to the
+// footprint; and whether the whitened sides are nearly parallel.
 struct LobeSecantFirst {
     parallel: bool,
     known: bool,
@@ -13,14 +13,18 @@ struct LobeSecantFirst {
 fn lobe_secant_is_parallel(w: LobeWhitened) -> bool {
     let u_squared = lobe_strip_dot(w.u, w.u);
     let area = w.u.x * w.v.y - w.u.y * w.v.x;
-    return area * lobe_kept(area / lobe_max(u_squared, LOBE_MIN_POSITIVE)) <= 1e-6 * lobe_strip_dot(w.v, w.v);
+    return area * lobe_kept(area / lobe_max(u_squared, LOBE_MIN_POSITIVE))
+        <= 1e-6 * lobe_strip_dot(w.v, w.v);
 }
 
 // Rust: `secant_ratio`.
 fn lobe_secant_ratio(
-    slope: vec2f, q: f32, ratio: f32, footprint: LobeFootprint, w: LobeWhitened, groove: LobeSecantFirst
+    slope: vec2f, q: f32, ratio: f32, footprint: LobeFootprint, w: LobeWhitened,
+    groove: LobeSecantFirst
 ) -> f32 {
-    let there = lobe_below_infinity(lobe_max((1.0 + q - ratio) / lobe_max(ratio, LOBE_MIN_POSITIVE), 0.0));
+    let there = lobe_below_infinity(
+        lobe_max((1.0 + q - ratio) / lobe_max(ratio, LOBE_MIN_POSITIVE), 0.0)
+    );
     let u_squared = lobe_strip_dot(w.u, w.u);
     let v_squared = lobe_strip_dot(w.v, w.v);
     let u = footprint.u;
@@ -44,7 +48,9 @@ fn lobe_secant_ratio(
 }
 
 // Rust: `first_place`.
-fn lobe_secant_first_place(w: LobeWhitened, u_squared: f32, v_squared: f32, parallel: bool) -> vec3f {
+fn lobe_secant_first_place(
+    w: LobeWhitened, u_squared: f32, v_squared: f32, parallel: bool
+) -> vec3f {
     let densest = lobe_secant_densest(w, u_squared, v_squared, parallel);
     let nearest = lobe_secant_at(w, densest.x, densest.y);
     let reach = 4.0 * (1.0 + lobe_strip_dot(nearest, nearest));
@@ -94,12 +100,16 @@ fn lobe_secant_edge(w: LobeWhitened, t: f32, u_squared: f32, v_squared: f32) -> 
     let from_v = vec2f(w.midpoint.x + t * w.v.x, w.midpoint.y + t * w.v.y);
     let along_v = lobe_secant_along(from_u, w.v, v_squared);
     let along_u = lobe_secant_along(from_v, w.u, u_squared);
-    return select(vec3f(along_u.y, along_u.x, t), vec3f(along_v.y, t, along_v.x), along_v.y <= along_u.y);
+    return select(
+        vec3f(along_u.y, along_u.x, t), vec3f(along_v.y, t, along_v.x), along_v.y <= along_u.y
+    );
 }
 
 // Rust: `along`.
 fn lobe_secant_along(start: vec2f, side: vec2f, squared: f32) -> vec2f {
-    let t = lobe_max(lobe_min(-lobe_strip_dot(start, side) / lobe_max(squared, LOBE_MIN_POSITIVE), 0.5), -0.5);
+    let t = lobe_max(
+        lobe_min(-lobe_strip_dot(start, side) / lobe_max(squared, LOBE_MIN_POSITIVE), 0.5), -0.5
+    );
     let end = vec2f(start.x + t * side.x, start.y + t * side.y);
     return vec2f(t, lobe_strip_dot(end, end));
 }

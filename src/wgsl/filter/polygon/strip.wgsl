@@ -16,10 +16,13 @@ fn lobe_strip_dot(a: vec2f, b: vec2f) -> f32 {
 }
 
 // Rust: `Whitened::new`.
-fn lobe_whitened_new(shape: LobeAnisotropic, offset: vec2f, low: vec2f, footprint: LobeFootprint) -> LobeWhitened {
+fn lobe_whitened_new(
+    shape: LobeAnisotropic, offset: vec2f, low: vec2f, footprint: LobeFootprint
+) -> LobeWhitened {
     let zero = vec2f(0.0, 0.0);
     return LobeWhitened(
-        lobe_anisotropic_whiten(shape, offset, low), lobe_anisotropic_whiten(shape, footprint.u, zero),
+        lobe_anisotropic_whiten(shape, offset, low),
+        lobe_anisotropic_whiten(shape, footprint.u, zero),
         lobe_anisotropic_whiten(shape, footprint.v, zero)
     );
 }
@@ -80,21 +83,29 @@ fn lobe_strip_placed(strip: LobeStrip) -> LobeStrip {
     return placed;
 }
 
-// Rust: `Strip::sharpened_mean`, up to the mean: the strip with its ends and distance from slope space.
+// Rust: `Strip::sharpened_mean`, up to the mean: the strip with its ends and distance from slope
+// space.
 fn lobe_strip_sharpened(
-    strip: LobeStrip, w: LobeWhitened, shape: LobeAnisotropic, offset: vec2f, offset_low: vec2f, footprint: LobeFootprint
+    strip: LobeStrip, w: LobeWhitened, shape: LobeAnisotropic, offset: vec2f, offset_low: vec2f,
+    footprint: LobeFootprint
 ) -> LobeStrip {
     let a = select(footprint.u, footprint.v, lobe_whitened_is_swapped(w));
     var sharpened = strip;
-    sharpened.start = lobe_strip_end(strip.axis, shape, offset, offset_low, vec2f(-0.5 * a.x, -0.5 * a.y));
-    sharpened.end = lobe_strip_end(strip.axis, shape, offset, offset_low, vec2f(0.5 * a.x, 0.5 * a.y));
+    sharpened.start = lobe_strip_end(
+        strip.axis, shape, offset, offset_low, vec2f(-0.5 * a.x, -0.5 * a.y)
+    );
+    sharpened.end = lobe_strip_end(
+        strip.axis, shape, offset, offset_low, vec2f(0.5 * a.x, 0.5 * a.y)
+    );
     let low = a.x * offset_low.y - a.y * offset_low.x;
     sharpened.n = (lobe_cross(a, offset) + low) / (shape.root_det * strip.extent);
     return lobe_strip_placed(sharpened);
 }
 
 // WGSL only: Rust has it as a closure.
-fn lobe_strip_end(axis: vec2f, shape: LobeAnisotropic, offset: vec2f, offset_low: vec2f, half: vec2f) -> f32 {
+fn lobe_strip_end(
+    axis: vec2f, shape: LobeAnisotropic, offset: vec2f, offset_low: vec2f, half: vec2f
+) -> f32 {
     let first_x = lobe_two_sum(offset.x, half.x);
     let first_y = lobe_two_sum(offset.y, half.y);
     let x = lobe_two_sum(first_x.x, first_x.y + offset_low.x);
@@ -120,7 +131,9 @@ fn lobe_strip_mean(strip: LobeStrip) -> f32 {
         let y = lobe_gauss_point(4u, k).x;
         let slide = y * strip.lean;
         let d = strip.n + y * strip.rise;
-        values[k] = lobe_segment_mean(near, d, strip.start + slide, strip.end + slide, strip.extent);
+        values[k] = lobe_segment_mean(
+            near, d, strip.start + slide, strip.end + slide, strip.extent
+        );
     }
     return lobe_gauss_mean(values);
 }

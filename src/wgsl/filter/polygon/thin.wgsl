@@ -27,7 +27,9 @@ fn lobe_thin_distance_squared(across: f32, start: f32, end: f32) -> f32 {
 }
 
 // WGSL only: Rust has it as a closure.
-fn lobe_thin_triangle(height_squared: f32, shear_squared: f32, apex: f32, apex_n: f32, distance_squared: f32) -> f32 {
+fn lobe_thin_triangle(
+    height_squared: f32, shear_squared: f32, apex: f32, apex_n: f32, distance_squared: f32
+) -> f32 {
     let corner = (1.0 + apex * apex + apex_n * apex_n) / shear_squared;
     return height_squared * lobe_min(corner, 1.0 / distance_squared);
 }
@@ -48,7 +50,8 @@ fn lobe_thin_mean_of(p: LobeFrame, count: u32, near: bool) -> f32 {
             let point = lobe_gauss_point(count, k);
             let slide = point.x * p.shear;
             let d = p.n + point.x * p.height;
-            mean = mean + point.y * lobe_segment_mean(near, d, left + slide, right + slide, p.extent);
+            mean = mean
+                + point.y * lobe_segment_mean(near, d, left + slide, right + slide, p.extent);
         }
         return mean;
     }
@@ -79,7 +82,8 @@ fn lobe_thin_mean_of(p: LobeFrame, count: u32, near: bool) -> f32 {
         let point = lobe_gauss_point(count, select(k, k - count, right));
         let apex = select(vec2f(p.low.x, p.low_n), vec2f(-p.high.y, -p.high_n), right);
         let fibre = lobe_thin_triangle_fibre(p, apex, select(start, -end, right), point.x);
-        triangles = triangles + point.y * lobe_segment_apex(near, fibre.x, fibre.y, fibre.z, fibre.w);
+        triangles = triangles
+            + point.y * lobe_segment_apex(near, fibre.x, fibre.y, fibre.z, fibre.w);
     }
     return (middle * p.square + triangles * (0.5 * p.shear)) / p.extent;
 }

@@ -1,4 +1,5 @@
-// A cell of the nested grids: the same numbers wherever the same place is a center again. Rust: src/material/cells/cell.rs.
+// A cell of the nested grids: the same numbers wherever the same place is a center again. Rust:
+// src/material/cells/cell.rs.
 
 // Rust: `COLOR`.
 const LOBE_CELL_COLOR: u32 = 2654435769u;
@@ -15,7 +16,8 @@ fn lobe_cell_at(index: vec2i, exponent: i32, seed: u32) -> LobeCell {
     return lobe_cell_at_wide(lobe_cell_index(vec2u(0u, 0u), vec2u(0u, 0u), index), exponent, seed);
 }
 
-// Rust: `Cell::at`, of indices of 64 bits: lower and upper word along u, lower and upper word along v.
+// Rust: `Cell::at`, of indices of 64 bits: lower and upper word along u, lower and upper word along
+// v.
 fn lobe_cell_at_wide(index: vec4u, exponent: i32, seed: u32) -> LobeCell {
     let bounded = select(select(exponent, -300, exponent < -300), 300, exponent > 300);
     let u = lobe_cell_center(index.xy, bounded);
@@ -68,8 +70,8 @@ struct LobeCellCenter {
     exponent: i32,
 }
 
-// WGSL only: the place of the lowest bit of a word that is not 0. WebGL 2 counts no bits: the lowest bit alone is a power of
-// two, whose exponent an f32 has.
+// WGSL only: the place of the lowest bit of a word that is not 0. WebGL 2 counts no bits: the
+// lowest bit alone is a power of two, whose exponent an f32 has.
 fn lobe_cell_lowest_bit(word: u32) -> u32 {
     return (bitcast<u32>(f32(word & (~word + 1u))) >> 23u) - 127u;
 }

@@ -1,4 +1,5 @@
-// Tiles: the whole part of a texture coordinate, of which cells are counted in integers. Rust: src/material/cells/tile.rs.
+// Tiles: the whole part of a texture coordinate, of which cells are counted in integers. Rust:
+// src/material/cells/tile.rs.
 
 // Rust: `FINEST`.
 const LOBE_TILE_FINEST: i32 = -31;
@@ -60,8 +61,8 @@ fn lobe_tile_split(x: f32) -> LobeTilePlace {
     return LobeTilePlace(whole, x - lobe_tile_number(whole));
 }
 
-// Rust: `number`. Each half converts exactly, and their sum is rounded once; drivers may round the conversion of a whole
-// number of 32 bits as they like.
+// Rust: `number`. Each half converts exactly, and their sum is rounded once; drivers may round the
+// conversion of a whole number of 32 bits as they like.
 fn lobe_tile_number(whole: i32) -> f32 {
     return f32(whole >> 16u) * lobe_power_of_two(16) + f32(whole & 0xffff);
 }

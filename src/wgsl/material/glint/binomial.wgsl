@@ -114,7 +114,9 @@ fn lobe_inversion_after(inversion: LobeInversion, ratio: f32) -> LobeInversion {
     let factor = ratio * inversion.odds;
     let exactly = inversion.exactly * factor;
     let more = inversion.more - exactly;
-    return LobeInversion(exactly, select(more, lobe_min(more, exactly), factor < 0.5), inversion.odds);
+    return LobeInversion(
+        exactly, select(more, lobe_min(more, exactly), factor < 0.5), inversion.odds
+    );
 }
 
 // Rust: `ceiling`.

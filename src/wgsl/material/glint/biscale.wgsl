@@ -1,4 +1,5 @@
-// Where the details of a surface point, and how rough each of them is. Rust: src/material/glint/biscale.rs.
+// Where the details of a surface point, and how rough each of them is. Rust:
+// src/material/glint/biscale.rs.
 
 // Rust: `Biscale`.
 struct LobeBiscale {
@@ -6,7 +7,8 @@ struct LobeBiscale {
     local: LobeRoughness,
 }
 
-// Rust: `Biscale::from_fractions`. Alphas beyond [0, 1e9] count as the nearest, fractions beyond [0, 1] too, NaN as 0.
+// Rust: `Biscale::from_fractions`. Alphas beyond [0, 1e9] count as the nearest, fractions beyond
+// [0, 1] too, NaN as 0.
 fn lobe_biscale_from_fractions(alphas: vec2f, fractions: vec2f) -> LobeBiscale {
     let a = lobe_magnitude(alphas.x);
     let b = lobe_magnitude(alphas.y);
@@ -34,6 +36,8 @@ fn lobe_biscale_widened(biscale: LobeBiscale, kernel: LobeKernel) -> LobeBiscale
 
 // Rust: `Biscale::over`.
 fn lobe_biscale_over(biscale: LobeBiscale, moments: LobeSlopeMoments) -> LobeBiscale {
-    let spread = lobe_roughness_add(biscale.spread, lobe_roughness_from_covariance(moments.covariance));
+    let spread = lobe_roughness_add(
+        biscale.spread, lobe_roughness_from_covariance(moments.covariance)
+    );
     return LobeBiscale(spread, biscale.local);
 }

@@ -18,6 +18,7 @@ fn lobe_color_channel(channel: f32) -> f32 {
 fn lobe_color_tint(color: vec3f, count: f32) -> vec3f {
     let contrast = 1.0 / sqrt(lobe_max(count, 1.0));
     return vec3f(
-        1.0 + (color.x - 1.0) * contrast, 1.0 + (color.y - 1.0) * contrast, 1.0 + (color.z - 1.0) * contrast
+        1.0 + (color.x - 1.0) * contrast, 1.0 + (color.y - 1.0) * contrast,
+        1.0 + (color.z - 1.0) * contrast
     );
 }

@@ -1,4 +1,5 @@
-// A glittering material: details of two scales, and how many there are. Rust: src/material/glint/glints.rs.
+// A glittering material: details of two scales, and how many there are. Rust:
+// src/material/glint/glints.rs.
 
 // WGSL only: `Groove` as a number.
 const LOBE_GROOVE_NONE: u32 = 0u;
@@ -22,9 +23,12 @@ struct LobeGlints {
 fn lobe_glints_new(biscale: LobeBiscale, density: f32) -> LobeGlints {
     let number = lobe_min(lobe_max(density, 1e-18), 1e18);
     let spread = biscale.spread.psd;
-    let stretch = vec2f(lobe_glints_ratio(spread.xx, spread.yy), lobe_glints_ratio(spread.yy, spread.xx));
+    let stretch = vec2f(
+        lobe_glints_ratio(spread.xx, spread.yy), lobe_glints_ratio(spread.yy, spread.xx)
+    );
     let groove = select(
-        select(LOBE_GROOVE_NONE, LOBE_GROOVE_ALONG_V, stretch.y == 0.0), LOBE_GROOVE_ALONG_U, stretch.x == 0.0
+        select(LOBE_GROOVE_NONE, LOBE_GROOVE_ALONG_V, stretch.y == 0.0), LOBE_GROOVE_ALONG_U,
+        stretch.x == 0.0
     );
     return LobeGlints(biscale, number, 0.0, 1.0, stretch, groove, 0u);
 }

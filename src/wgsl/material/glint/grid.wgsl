@@ -1,4 +1,5 @@
-// Which cells a pixel covers, on two nested grids, and how much of each. Rust: src/material/glint/grid.rs.
+// Which cells a pixel covers, on two nested grids, and how much of each. Rust:
+// src/material/glint/grid.rs.
 
 // Rust: `RAMP`.
 const LOBE_GRID_RAMP: f32 = 0.5;
@@ -23,7 +24,8 @@ fn lobe_grid_new(pixel: LobePatch, least: f32) -> LobeGrid {
 fn lobe_grid_stretched(pixel: LobePatch, factors: vec2f, least: f32) -> LobeGrid {
     let extents = lobe_patch_extents(pixel);
     let anisotropic = lobe_max(extents.x, extents.y) / f32(LOBE_ANISOTROPY_LIMIT);
-    let is_rounded = (pixel.tile.x != 0 || pixel.tile.y != 0) && (factors.x != 1.0 || factors.y != 1.0);
+    let is_rounded = (pixel.tile.x != 0 || pixel.tile.y != 0)
+        && (factors.x != 1.0 || factors.y != 1.0);
     let distance = lobe_max(lobe_patch_distance(pixel), select(0.0, 2.0, is_rounded));
     let farthest = distance * lobe_power_of_two(-LOBE_LEVEL_FARTHEST);
     let size = lobe_max(lobe_max(lobe_max(lobe_patch_width(pixel), anisotropic), least), farthest);
@@ -37,13 +39,17 @@ fn lobe_grid_of_size(pixel: LobePatch, width: f32, size: f32) -> LobeGrid {
     let bounded = lobe_min(lobe_max(least, lobe_power_of_two(-100)), lobe_power_of_two(100));
     let exponent = lobe_exponent(bounded);
     let mantissa = bounded * lobe_power_of_two(-exponent);
-    return LobeGrid(pixel, width, exponent, lobe_min(lobe_max(lobe_ln(mantissa) / 0.6931472, 0.0), 1.0), 0u);
+    return LobeGrid(
+        pixel, width, exponent, lobe_min(lobe_max(lobe_ln(mantissa) / 0.6931472, 0.0), 1.0), 0u
+    );
 }
 
 // Rust: `Grid::presence`.
 fn lobe_grid_presence(progress: f32, cell: LobeCell, coarser: bool) -> f32 {
-    let passed = (progress * (1.0 + LOBE_GRID_RAMP) - lobe_cell_turn(cell)) * (1.0 / LOBE_GRID_RAMP);
-    let come = LOBE_GRID_EVEN * progress + (1.0 - LOBE_GRID_EVEN) * lobe_min(lobe_max(passed, 0.0), 1.0);
+    let passed = (progress * (1.0 + LOBE_GRID_RAMP) - lobe_cell_turn(cell))
+        * (1.0 / LOBE_GRID_RAMP);
+    let come = LOBE_GRID_EVEN * progress
+        + (1.0 - LOBE_GRID_EVEN) * lobe_min(lobe_max(passed, 0.0), 1.0);
     return select(1.0 - come, come, coarser);
 }
 

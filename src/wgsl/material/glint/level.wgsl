@@ -47,7 +47,8 @@ fn lobe_level_new(pixel: LobePatch, width: f32, exponent: i32) -> LobeLevel {
     let right = select(pixel.right, pixel.right.yx, along_v) * inverse;
     let up = select(pixel.up, pixel.up.yx, along_v) * inverse;
     // 0 where the pixel is too small for squares: no cell looks at it there.
-    let skew = (right.x * right.y + up.x * up.y) / lobe_max(right.x * right.x + up.x * up.x, LOBE_MIN_POSITIVE);
+    let skew = (right.x * right.y + up.x * up.y)
+        / lobe_max(right.x * right.x + up.x * up.x, LOBE_MIN_POSITIVE);
     let most = f32(2u * LOBE_ANISOTROPY_LIMIT);
     let long = lobe_min(lobe_max(abs(right.x), lobe_max(abs(up.x), 0.0)), most);
     let half = 0.5 * lobe_max(long - lobe_max(width * inverse, 1.0), 0.0);
@@ -56,7 +57,8 @@ fn lobe_level_new(pixel: LobePatch, width: f32, exponent: i32) -> LobeLevel {
     let first = lobe_floor(begin);
     let count = u32(lobe_floor(end) - first) + 2u;
     return LobeLevel(
-        exponent, lobe_tile_corner(pixel.tile.x, exponent), lobe_tile_corner(pixel.tile.y, exponent), along_v, first,
+        exponent, lobe_tile_corner(pixel.tile.x, exponent),
+        lobe_tile_corner(pixel.tile.y, exponent), along_v, first,
         select(count, LOBE_LEVEL_COLUMNS, count > LOBE_LEVEL_COLUMNS), begin, end, midpoint,
         lobe_min(lobe_max(skew, -1.0), 1.0), 1.0 / (1.0 + (end - begin))
     );
@@ -65,7 +67,9 @@ fn lobe_level_new(pixel: LobePatch, width: f32, exponent: i32) -> LobeLevel {
 // Rust: `Level::column`.
 fn lobe_level_column(level: LobeLevel, n: u32) -> LobeColumn {
     let place = lobe_min(lobe_max(lobe_level_place(level, n), level.begin), level.end);
-    return lobe_level_column_at(level, n, level.midpoint.y + level.skew * (place - level.midpoint.x));
+    return lobe_level_column_at(
+        level, n, level.midpoint.y + level.skew * (place - level.midpoint.x)
+    );
 }
 
 // Rust: `Level::place`.
@@ -88,7 +92,8 @@ fn lobe_level_column_at(level: LobeLevel, n: u32, y: f32) -> LobeColumn {
 fn lobe_level_index(level: LobeLevel, n: u32, row: i32) -> vec4u {
     let column = level.first + i32(n);
     return lobe_cell_index(
-        level.corner_u, level.corner_v, select(vec2i(column, row), vec2i(row, column), level.along_v)
+        level.corner_u, level.corner_v,
+        select(vec2i(column, row), vec2i(row, column), level.along_v)
     );
 }
 

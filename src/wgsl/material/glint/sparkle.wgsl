@@ -1,4 +1,5 @@
-// How much brighter than its smooth lobe a glittering pixel is: what its cells draw. Rust: src/material/glint/sparkle.rs.
+// How much brighter than its smooth lobe a glittering pixel is: what its cells draw. Rust:
+// src/material/glint/sparkle.rs.
 
 // Rust: `LEAST`.
 const LOBE_GLINT_LEAST: f32 = 1e-30;
@@ -11,7 +12,8 @@ struct LobeReflection {
     bin: vec2f,
 }
 
-// WGSL only: what all cells of a level share under one half vector, captures of `GlintNdf::mixed` in Rust.
+// WGSL only: what all cells of a level share under one half vector, captures of `GlintNdf::mixed`
+// in Rust.
 struct LobeGlintDraws {
     reflection: LobeReflection,
     number: f32,
@@ -22,7 +24,8 @@ struct LobeGlintDraws {
     seed: u32,
 }
 
-// WGSL only: a cell, its share of the pixel and its part of the sparkle, and the count of its reflecting details.
+// WGSL only: a cell, its share of the pixel and its part of the sparkle, and the count of its
+// reflecting details.
 struct LobeGlintPart {
     cell: LobeCell,
     share: f32,
@@ -54,17 +57,25 @@ fn lobe_glint_ndf_slope_pdf(lobe: LobeGlintNdf, h: vec3f, blur: f32) -> f32 {
         return 0.0;
     }
     // Not `lobe_slope_of`, which has 0 for NaN.
-    let at = lobe_non_centered_normal(lobe_lobe_shape(lobe_glint_ndf_smooth_lobe(lobe)), vec3f(h.x / h.z, h.y / h.z, 1.0));
-    return lobe_below_infinity(lobe_defined(lobe_beckmann_slope_pdf(at) * lobe_glint_ndf_sparkle(lobe, h, blur)));
+    let at = lobe_non_centered_normal(
+        lobe_lobe_shape(lobe_glint_ndf_smooth_lobe(lobe)), vec3f(h.x / h.z, h.y / h.z, 1.0)
+    );
+    return lobe_below_infinity(
+        lobe_defined(lobe_beckmann_slope_pdf(at) * lobe_glint_ndf_sparkle(lobe, h, blur))
+    );
 }
 
 // Rust: `GlintNdf::brdf`. 0 for NaN.
 fn lobe_glint_ndf_brdf(lobe: LobeGlintNdf, wo: vec3f, wi: vec3f, radius: f32) -> f32 {
-    let brdf = lobe_beckmann_brdf(lobe_non_centered_pair(lobe_lobe_shape(lobe_glint_ndf_smooth_lobe(lobe)), wo, wi));
+    let brdf = lobe_beckmann_brdf(
+        lobe_non_centered_pair(lobe_lobe_shape(lobe_glint_ndf_smooth_lobe(lobe)), wo, wi)
+    );
     if !(brdf > 0.0) {
         return 0.0;
     }
-    let sparkle = lobe_glint_ndf_sparkle(lobe, lobe_half_vector(wo, wi), lobe_light_blur(wo, wi, radius));
+    let sparkle = lobe_glint_ndf_sparkle(
+        lobe, lobe_half_vector(wo, wi), lobe_light_blur(wo, wi, radius)
+    );
     return lobe_below_infinity(lobe_defined(brdf * sparkle));
 }
 
@@ -148,7 +159,9 @@ fn lobe_glint_ndf_mixed(lobe: LobeGlintNdf, h: vec3f, blur: f32, colored: bool) 
 }
 
 // WGSL only: of `GlintNdf::mixed`: the draws of the finer level's cells, or of the coarser one's.
-fn lobe_glint_ndf_draws(lobe: LobeGlintNdf, reflection: LobeReflection, coarser: bool) -> LobeGlintDraws {
+fn lobe_glint_ndf_draws(
+    lobe: LobeGlintNdf, reflection: LobeReflection, coarser: bool
+) -> LobeGlintDraws {
     let number = lobe_glint_ndf_number(lobe, coarser);
     let draw = lobe_binomial_new(number, reflection.probability);
     return LobeGlintDraws(

@@ -55,7 +55,8 @@ fn lobe_leadr_facet(surface: LobeLeadr, wo: vec3f, node: LobeNode) -> LobeFacet 
     let mean = surface.shape.mean;
     let factor = surface.factor;
     let slope = vec2f(
-        mean.x + factor.x * node.place.x, mean.y + (factor.y * node.place.x + factor.z * node.place.y)
+        mean.x + factor.x * node.place.x,
+        mean.y + (factor.y * node.place.x + factor.z * node.place.y)
     );
     let normal = lobe_normal_of(slope);
     let shown = lobe_max(lobe_defined(wo.z - slope.x * wo.x - slope.y * wo.y), 0.0);
@@ -63,7 +64,8 @@ fn lobe_leadr_facet(surface: LobeLeadr, wo: vec3f, node: LobeNode) -> LobeFacet 
     let z = normal.z;
     let solid_angle = 4.0 * cosine * (z * z * z) * (node.extent * surface.cell);
     return LobeFacet(
-        normal, lobe_reflect(wo, normal), cosine, lobe_defined(node.weight * shown), lobe_defined(solid_angle)
+        normal, lobe_reflect(wo, normal), cosine, lobe_defined(node.weight * shown),
+        lobe_defined(solid_angle)
     );
 }
 
@@ -75,5 +77,7 @@ fn lobe_leadr_artificial_facet(surface: LobeLeadr, wo: vec3f) -> LobeFacet {
     let cosine = lobe_max(lobe_defined(lobe_dot(normal, wo)), 0.0);
     let z = abs(normal.z);
     let solid_angle = 4.0 * cosine * (z * z * z) * surface.cell;
-    return LobeFacet(normal, lobe_reflect(wo, normal), cosine, 1e-5 * cosine, lobe_defined(solid_angle));
+    return LobeFacet(
+        normal, lobe_reflect(wo, normal), cosine, 1e-5 * cosine, lobe_defined(solid_angle)
+    );
 }

@@ -7,8 +7,8 @@ const LOBE_LEAN_SIGNED_STEPS: f32 = 32767.0;
 // Rust: `STEPS`.
 const LOBE_LEAN_STEPS: f32 = 65535.0;
 
-// Rust: `SlopeMoments::from_unorm`: what samplers give, and the range it was written for. Beyond the ranges the nearest
-// moments, 0 for NaN.
+// Rust: `SlopeMoments::from_unorm`: what samplers give, and the range it was written for. Beyond
+// the ranges the nearest moments, 0 for NaN.
 fn lobe_slope_moments_from_unorm(mean: vec2f, second: vec3f, range: f32) -> LobeSlopeMoments {
     let square = range * range;
     return lobe_slope_moments_from_raw(

@@ -1,11 +1,13 @@
-// The cells that a pixel covers, on two levels, and what each of them has drawn. Rust: src/material/multilobe/cells.rs.
+// The cells that a pixel covers, on two levels, and what each of them has drawn. Rust:
+// src/material/multilobe/cells.rs.
 
 // WGSL only: `farthest` of single precision.
 const LOBE_CELLS_FARTHEST: i32 = 20;
 // Rust: `QUANTILE`.
 const LOBE_CELLS_QUANTILE: f32 = 6.5;
 // Rust: `HALF_TURN`.
-const LOBE_CELLS_HALF_TURN = array<f32, 5>(0.7854006, 0.16136818, 0.040797774, 7.447305e-3, 4.9829185e-3);
+const LOBE_CELLS_HALF_TURN = array<f32,
+5>(0.7854006, 0.16136818, 0.040797774, 7.447305e-3, 4.9829185e-3);
 
 // Rust: `Cells`.
 struct LobeCells {
@@ -38,7 +40,9 @@ fn lobe_cells_new(
     // The number is ln(2), as `Real::ln` has it.
     let coarser = lobe_ln(size * lobe_power_of_two(-exponent)) / 0.6931472;
     let number = 0.5 * lobe_ln(density) / 0.6931472 + f32(exponent);
-    return LobeCells(ellipse, exponent, lobe_min(lobe_max(coarser, 0.0), 1.0), number, variation, share, seed);
+    return LobeCells(
+        ellipse, exponent, lobe_min(lobe_max(coarser, 0.0), 1.0), number, variation, share, seed
+    );
 }
 
 // Rust: `Cells::are_smooth`.
@@ -85,7 +89,9 @@ fn lobe_cells_weight(walk: LobeCellsWalk) -> f32 {
 
 // WGSL only: of `Cells::level`, the cell.
 fn lobe_cells_cell(cells: LobeCells, step: i32, walk: LobeCellsWalk) -> LobeCell {
-    return lobe_cell_at_wide(lobe_ellipse_index(walk.rows, walk.s, walk.t), cells.exponent + step, cells.seed);
+    return lobe_cell_at_wide(
+        lobe_ellipse_index(walk.rows, walk.s, walk.t), cells.exponent + step, cells.seed
+    );
 }
 
 // Rust: `Cells::chosen`.
@@ -98,11 +104,19 @@ fn lobe_cells_chosen(cells: LobeCells, dictionary: LobeDictionary, u: f32) -> Lo
         if level > 0.0 {
             // Twice over the cells: for the sum of their weights, and with it for their shares.
             var whole = 0.0;
-            for (var walk = lobe_cells_first(cells, step); lobe_cells_more(walk); walk = lobe_cells_next(walk)) {
+            for (
+                var walk = lobe_cells_first(cells, step);
+                lobe_cells_more(walk);
+                walk = lobe_cells_next(walk)
+            ) {
                 whole = whole + lobe_cells_weight(walk);
             }
             let share = level / lobe_max(whole, LOBE_MIN_POSITIVE);
-            for (var walk = lobe_cells_first(cells, step); lobe_cells_more(walk); walk = lobe_cells_next(walk)) {
+            for (
+                var walk = lobe_cells_first(cells, step);
+                lobe_cells_more(walk);
+                walk = lobe_cells_next(walk)
+            ) {
                 let weight = lobe_cells_weight(walk);
                 if weight > 0.0 && (chosen_step < 0 || sum <= u) {
                     chosen = lobe_cells_cell(cells, step, walk);
@@ -116,7 +130,9 @@ fn lobe_cells_chosen(cells: LobeCells, dictionary: LobeDictionary, u: f32) -> Lo
 }
 
 // Rust: `Cells::numbers`.
-fn lobe_cells_numbers(cells: LobeCells, dictionary: LobeDictionary, cell: LobeCell, step: i32) -> LobeFacets {
+fn lobe_cells_numbers(
+    cells: LobeCells, dictionary: LobeDictionary, cell: LobeCell, step: i32
+) -> LobeFacets {
     let words = cell.words;
     let deviation = cells.variation * lobe_normal_quantile(lobe_hash_tail(words.y));
     let rounding = f32(words.z & 0xffu) * 0.00390625;

@@ -1,4 +1,5 @@
-// Which cells of a level an elliptic pixel covers, and how much of each. Rust: src/material/multilobe/ellipse.rs.
+// Which cells of a level an elliptic pixel covers, and how much of each. Rust:
+// src/material/multilobe/ellipse.rs.
 
 // Rust: `ELLIPSE_LIMIT`.
 const LOBE_ELLIPSE_LIMIT: u32 = 8u;
@@ -66,7 +67,8 @@ fn lobe_ellipse_rows(ellipse: LobeEllipse, exponent: i32) -> LobeEllipseRows {
         lobe_psd_add(lobe_psd_mul(ellipse.square, inverse * inverse), LobePsd(1.0, 0.0, 1.0, 1.0));
     let ends = lobe_ellipse_between(midpoint.y, sqrt(square.yy));
     return LobeEllipseRows(
-        lobe_tile_corner(ellipse.tile.x, exponent), lobe_tile_corner(ellipse.tile.y, exponent), midpoint, square, ends.x,
+        lobe_tile_corner(ellipse.tile.x, exponent), lobe_tile_corner(ellipse.tile.y, exponent),
+        midpoint, square, ends.x,
         ends.y
     );
 }

@@ -1,4 +1,5 @@
-// One even density of slopes along one axis, by its nodes. Rust: src/material/multilobe/marginal.rs.
+// One even density of slopes along one axis, by its nodes. Rust:
+// src/material/multilobe/marginal.rs.
 
 // Rust: `Marginal::node`, with `Marginal::cumulative`: density and, odd about 0, cumulative.
 fn lobe_marginal_node(marginal: LobeMarginal, k: i32) -> vec2f {
@@ -50,7 +51,9 @@ fn lobe_marginal_mean(marginal: LobeMarginal, x: f32, width: f32) -> f32 {
     let first = lobe_marginal_interval(marginal, low);
     let last = lobe_marginal_interval(marginal, high);
     if first == last {
-        return lobe_defined(lobe_marginal_within(marginal, first, select(0.5 * (low + high), place, inside)) * share);
+        return lobe_defined(
+            lobe_marginal_within(marginal, first, select(0.5 * (low + high), place, inside)) * share
+        );
     }
     let after = f32(first + 1);
     let before = f32(last);
@@ -58,7 +61,8 @@ fn lobe_marginal_mean(marginal: LobeMarginal, x: f32, width: f32) -> f32 {
         let f = lobe_marginal_node(marginal, first).x;
         let g = lobe_marginal_node(marginal, last).x;
         let h = lobe_marginal_node(marginal, last + 1).x;
-        let bend = (high - before) * (high - before) * (h - g) - (after - low) * (after - low) * (g - f);
+        let bend = (high - before) * (high - before) * (h - g)
+            - (after - low) * (after - low) * (g - f);
         return lobe_max(g * share + 0.5 * bend / whole, 0.0);
     }
     let left = (after - low) * lobe_marginal_within(marginal, first, 0.5 * (low + after));

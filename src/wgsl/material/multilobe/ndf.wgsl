@@ -1,4 +1,5 @@
-// What a pixel sees of many facets: a density of slopes that integrates to 1. Rust: src/material/multilobe/ndf.rs.
+// What a pixel sees of many facets: a density of slopes that integrates to 1. Rust:
+// src/material/multilobe/ndf.rs.
 
 // Rust: `PatchNdf`, without mips.
 struct LobePatchNdf {
@@ -16,19 +17,26 @@ struct LobePatchTerms {
 }
 
 // Rust: `MultiLobe::ndf`. NaN counts as 0.
-fn lobe_multi_lobe_ndf(facets: LobeMultiLobe, dictionary: LobeDictionary, pixel: LobePatch) -> LobePatchNdf {
+fn lobe_multi_lobe_ndf(
+    facets: LobeMultiLobe, dictionary: LobeDictionary, pixel: LobePatch
+) -> LobePatchNdf {
     let cells = lobe_cells_new(
-        lobe_ellipse_of(pixel), lobe_multi_lobe_facet_size(facets), facets.density, facets.variation, facets.share,
+        lobe_ellipse_of(pixel), lobe_multi_lobe_facet_size(facets), facets.density,
+        facets.variation, facets.share,
         facets.seed
     );
-    return LobePatchNdf(dictionary, facets.roughness, LobeKernel(LobePsd(0.0, 0.0, 0.0, 0.0)), cells);
+    return LobePatchNdf(
+        dictionary, facets.roughness, LobeKernel(LobePsd(0.0, 0.0, 0.0, 0.0)), cells
+    );
 }
 
 // Rust: `PatchNdf::over`.
 fn lobe_patch_ndf_over(lobe: LobePatchNdf, moments: LobeSlopeMoments) -> LobePatchNdf {
     var over = lobe;
     let seen = lobe_mean_frame_moments(lobe_mean_frame_of(moments.mean), moments);
-    over.roughness = lobe_roughness_add(lobe.roughness, lobe_roughness_from_covariance(seen.covariance));
+    over.roughness = lobe_roughness_add(
+        lobe.roughness, lobe_roughness_from_covariance(seen.covariance)
+    );
     return over;
 }
 
@@ -47,7 +55,9 @@ fn lobe_patch_ndf_smooth(lobe: LobePatchNdf) -> LobeAnisotropic {
 // Rust: `PatchNdf::slope_pdf`. 0 for NaN.
 fn lobe_patch_ndf_slope_pdf(lobe: LobePatchNdf, slope: vec2f) -> f32 {
     let shape = lobe_patch_ndf_smooth(lobe);
-    let tended = lobe_beckmann_slope_pdf(lobe_anisotropic_normal(shape, vec3f(-slope.x, -slope.y, 1.0)));
+    let tended = lobe_beckmann_slope_pdf(
+        lobe_anisotropic_normal(shape, vec3f(-slope.x, -slope.y, 1.0))
+    );
     if lobe_patch_ndf_is_smooth(lobe) || !(shape.root_det > 0.0) {
         return tended;
     }
@@ -94,7 +104,11 @@ fn lobe_patch_ndf_is_smooth(lobe: LobePatchNdf) -> bool {
 fn lobe_patch_ndf_level(lobe: LobePatchNdf, terms: LobePatchTerms, step: i32) -> f32 {
     var sum = 0.0;
     var whole = 0.0;
-    for (var walk = lobe_cells_first(lobe.cells, step); lobe_cells_more(walk); walk = lobe_cells_next(walk)) {
+    for (
+        var walk = lobe_cells_first(lobe.cells, step);
+        lobe_cells_more(walk);
+        walk = lobe_cells_next(walk)
+    ) {
         let weight = lobe_cells_weight(walk);
         if weight > 0.0 {
             let cell = lobe_cells_cell(lobe.cells, step, walk);

@@ -1,4 +1,5 @@
-// A kernel in pieces, so short that two boxes along any axes stand in for each. Rust: src/material/multilobe/pieces.rs.
+// A kernel in pieces, so short that two boxes along any axes stand in for each. Rust:
+// src/material/multilobe/pieces.rs.
 
 // Rust: `LONGEST`.
 const LOBE_PIECES_LONGEST: f32 = 1.5;
@@ -51,7 +52,8 @@ fn lobe_pieces_folded(pieces: LobePieces, place: vec2f) -> vec2f {
 // Rust: `Pieces::around`.
 fn lobe_pieces_around(pieces: LobePieces, place: vec2f) -> LobePieces {
     let along = pieces.axis.x * place.x + pieces.axis.y * place.y;
-    let reach = (LOBE_PIECES_REACH + LOBE_PIECES_HALF_DIAGONAL * pieces.longest) / pieces.longest + 0.5;
+    let reach = (LOBE_PIECES_REACH + LOBE_PIECES_HALF_DIAGONAL * pieces.longest) / pieces.longest
+        + 0.5;
     let middle = along / pieces.longest;
     let begin = -lobe_floor(reach + middle);
     let end = lobe_floor(reach - middle);
@@ -94,6 +96,7 @@ fn lobe_pieces_widths(piece: LobePiece, turn: vec2f) -> vec2f {
     let c = piece.axis.x * turn.x + piece.axis.y * turn.y;
     let s = piece.axis.y * turn.x - piece.axis.x * turn.y;
     return vec2f(
-        sqrt(lobe_max(piece.square + c * c * piece.more, 0.0)), sqrt(lobe_max(piece.square + s * s * piece.more, 0.0))
+        sqrt(lobe_max(piece.square + c * c * piece.more, 0.0)),
+        sqrt(lobe_max(piece.square + s * s * piece.more, 0.0))
     );
 }

@@ -1,4 +1,5 @@
-// The plane of a dictionary's marginals: slopes without roughness. Rust: src/material/multilobe/plane.rs.
+// The plane of a dictionary's marginals: slopes without roughness. Rust:
+// src/material/multilobe/plane.rs.
 
 // Rust: `SHARE`.
 const LOBE_PLANE_SHARE: i32 = -10;
@@ -27,7 +28,9 @@ fn lobe_plane_new(roughness: LobeRoughness, kernel: LobeKernel) -> LobePlane {
     let mapping = vec3f(a, b, c);
     let u = lobe_both_within(lobe_plane_deviations(mapping, vec2f(root.x, root.y)), LOBE_LARGEST);
     let v = lobe_both_within(lobe_plane_deviations(mapping, vec2f(0.0, root.z)), LOBE_LARGEST);
-    return LobePlane(mapping, lobe_defined(1.0 / (a * c)), lobe_pieces_of(lobe_psd_outer_sum(u, v)));
+    return LobePlane(
+        mapping, lobe_defined(1.0 / (a * c)), lobe_pieces_of(lobe_psd_outer_sum(u, v))
+    );
 }
 
 // Rust: `Plane::slope`.
@@ -69,7 +72,8 @@ fn lobe_plane_density(
         let y = at.y + piece.offset.y;
         let p = lobe_marginal_mean(along, cosine * x + sine * y, widths.x);
         if p > 0.0 {
-            sum = sum + piece.share * (p * lobe_marginal_mean(across, cosine * y - sine * x, widths.y));
+            sum = sum
+                + piece.share * (p * lobe_marginal_mean(across, cosine * y - sine * x, widths.y));
         }
     }
     return sum * plane.density;

@@ -1,4 +1,5 @@
-// Directions drawn by what a pixel sees of many facets, and their density. Rust: src/material/multilobe/sample.rs.
+// Directions drawn by what a pixel sees of many facets, and their density. Rust:
+// src/material/multilobe/sample.rs.
 
 // Rust: `DirectionSample`. A weight of 0 and a direction without length where Rust has none.
 struct LobeDirectionSample {
@@ -32,7 +33,9 @@ fn lobe_patch_ndf_pdf(lobe: LobePatchNdf, wo: vec3f, wi: vec3f) -> f32 {
     let h = lobe_half_vector(wo, wi);
     let masking = lobe_cavity_masking(wo, h);
     if masking > 0.0 {
-        return lobe_below_infinity(lobe_defined(lobe_patch_ndf_d(lobe, h) * (masking / (4.0 * wo.z))));
+        return lobe_below_infinity(
+            lobe_defined(lobe_patch_ndf_d(lobe, h) * (masking / (4.0 * wo.z)))
+        );
     }
     return 0.0;
 }
@@ -56,14 +59,18 @@ fn lobe_patch_ndf_sample_slope(lobe: LobePatchNdf, u: array<f32, 7>) -> vec2f {
     let y = lobe_marginal_quantile(across, u[2]) + widths.y * (u[4] - 0.5);
     let cosine = facets.turn.x;
     let sine = facets.turn.y;
-    let place = vec2f(cosine * x - sine * y - piece.offset.x, sine * x + cosine * y - piece.offset.y);
+    let place = vec2f(
+        cosine * x - sine * y - piece.offset.x, sine * x + cosine * y - piece.offset.y
+    );
     let slope = lobe_plane_slope(plane, place);
     return vec2f(lobe_defined(slope.x), lobe_defined(slope.y));
 }
 
 // Rust: `PatchNdf::sample_smooth`. 0 for NaN.
 fn lobe_patch_ndf_sample_smooth(lobe: LobePatchNdf, u: vec2f) -> vec2f {
-    let m = lobe_roughness_chermain_matrix(lobe_roughness_widened(lobe.roughness, lobe.spread), 1.0);
+    let m = lobe_roughness_chermain_matrix(
+        lobe_roughness_widened(lobe.roughness, lobe.spread), 1.0
+    );
     let x = lobe_normal_quantile(1.0 - u.x);
     let y = lobe_normal_quantile(1.0 - u.y);
     return vec2f(lobe_defined(m[0][0] * x + m[1][0] * y), lobe_defined(m[1][1] * y));

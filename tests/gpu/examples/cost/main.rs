@@ -141,8 +141,10 @@ fn cpu(options: &Options) -> Result<(), String> {
     let times = timing::least_cpu_seconds(ROUNDS, &mut works);
     let empty = times[0];
     println!(
-        "CPU time of {} on one thread of {}, {} samples from the report's leather plane, alpha {}:\n\
-         net of a shader that only copies a number, least of {ROUNDS} rounds in which all take turns.\n",
+        "CPU time of {} on one thread of {}, {} samples from the report's leather plane, alpha \
+            {}:\n\
+         net of a shader that only copies a number, least of {ROUNDS} rounds in which all take \
+         turns.\n",
         gpu.name(),
         lobe_report::processor(),
         floats.len() / FLOATS,
@@ -176,7 +178,8 @@ fn frames(options: &Options) -> Result<(), String> {
     let (width, height) = (options.width, (options.width * 9 / 16).next_multiple_of(2));
     for gpu in Gpu::every().iter().filter(|gpu| gpu.has_timestamps()) {
         println!(
-            "{}, {width} x {height}, 1 sample per pixel, alpha {}: milliseconds of a frame by timestamps, median of {}",
+            "{}, {width} x {height}, 1 sample per pixel, alpha {}: milliseconds of a frame by \
+                timestamps, median of {}",
             gpu.name(),
             options.alpha,
             options.frames,
@@ -197,7 +200,8 @@ fn frames(options: &Options) -> Result<(), String> {
         println!();
     }
     println!(
-        "Kaplanyan et al. 2016, Table 2: what the nearest of his methods added in Sponza with normal maps, 3840 x 2160, Quadro M6000."
+        "Kaplanyan et al. 2016, Table 2: what the nearest of his methods added in Sponza with \
+            normal maps, 3840 x 2160, Quadro M6000."
     );
     Ok(())
 }

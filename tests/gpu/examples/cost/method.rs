@@ -1,22 +1,25 @@
-//! Ways to shade a sample, as WGSL over names that a compute and a fragment shader fill in differently.
+//! Ways to shade a sample, as WGSL over names that a compute and a fragment shader fill in
+//! differently.
 
 /// Shading of one sample, with a filter or without.
 pub(crate) struct Method {
     pub(crate) name: &'static str,
     /// The method without a filter that it is compared with, by name.
     pub(crate) base: &'static str,
-    /// Statements that leave the BRDF in `r`; they know `wo`, `wi`, `h`, `alpha`, `$footprint` (of slopes), `$hu` and
-    /// `$hv` (derivatives of h.xy), `$nu` and `$nv` (of the normal), and `$brdf`.
+    /// Statements that leave the BRDF in `r`; they know `wo`, `wi`, `h`, `alpha`, `$footprint` (of
+    /// slopes), `$hu` and `$hv` (derivatives of h.xy), `$nu` and `$nv` (of the normal), and
+    /// `$brdf`.
     body: &'static str,
     brdf: &'static str,
-    /// Milliseconds that the nearest of his methods adds at 3840 x 2160 on a Quadro `M6000` in Sponza with normal maps:
-    /// Kaplanyan et al. 2016, Table 2.
+    /// Milliseconds that the nearest of his methods adds at 3840 x 2160 on a Quadro `M6000` in
+    /// Sponza with normal maps: Kaplanyan et al. 2016, Table 2.
     pub(crate) kaplanyan: Option<f64>,
 }
 
 const ISOTROPIC: &str = "let r = $brdf(lobe_isotropic_pair(lobe_isotropic_new(alpha), wo, wi));";
 
-const MATRIX: &str = "let r = $brdf(lobe_anisotropic_pair(lobe_anisotropic_new(lobe_roughness_from_alpha(alpha)), wo, wi));";
+const MATRIX: &str = "let shape = lobe_anisotropic_new(lobe_roughness_from_alpha(alpha));
+    let r = $brdf(lobe_anisotropic_pair(shape, wo, wi));";
 
 /// The roughness of a G-buffer's texel, then as without a filter.
 const DEFERRED: &str = "let wide = lobe_tokuyoshi_kaplanyan_deferred_alpha(
@@ -45,7 +48,8 @@ let r = $brdf(lobe_anisotropic_pair(lobe_anisotropic_new(wide), wo, wi));";
 const RECTANGLE: &str = "let widths = lobe_footprint_extents($footprint);
 let mean = lobe_kaplanyan_rectangle_mean(vec2f(alpha, alpha), lobe_slope_of(h), widths);
 let shape = lobe_isotropic_new(alpha);
-let visibility = lobe_ggx_visibility(lobe_isotropic_view(shape, wo), lobe_isotropic_view(shape, wi));
+let visibility = lobe_ggx_visibility(lobe_isotropic_view(shape, wo), lobe_isotropic_view(shape, \
+wi));
 let r = mean / (h.z * h.z * h.z * h.z) * visibility;";
 
 const EXACT: &str =
@@ -78,7 +82,8 @@ pub(crate) const METHODS: [Method; 12] = [
     beckmann("Beckmann, variance added", VARIANCE, Some(0.64)),
 ];
 
-/// Floats that a compute shader reads for a sample: wo, wi, three half vectors, two derivatives of the normal.
+/// Floats that a compute shader reads for a sample: wo, wi, three half vectors, two derivatives of
+/// the normal.
 pub(crate) const FLOATS: usize = 21;
 
 impl Method {
@@ -101,7 +106,8 @@ impl Method {
             ["nu", "nv"],
         );
         format!(
-            "let alpha = {alpha:?}f; let wo = {}; let wi = {}; let h = {};\nlet right = {}; let up = {}; let nu = {}; \
+            "let alpha = {alpha:?}f; let wo = {}; let wi = {}; let h = {};\nlet right = {}; let \
+                up = {}; let nu = {}; \
              let nv = {};\n{body}\nput(0u, r);",
             vector(0),
             vector(3),

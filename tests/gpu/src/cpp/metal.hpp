@@ -12,7 +12,8 @@ namespace metal {
 
 using uint = std::uint32_t;
 
-// Components of a vector by their places, in the storage of the vector: both compilers read any member of a union.
+// Components of a vector by their places, in the storage of the vector: both compilers read any
+// member of a union.
 template <class Of, class To, int... PLACES>
 struct Swizzle {
     typename Of::Scalar data[Of::SIZE];

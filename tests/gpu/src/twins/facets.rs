@@ -1,4 +1,5 @@
-//! Twins of `src/material/multilobe`, `src/shade/multilobe.rs`, `src/ndf/cavity.rs` and `src/slope/mean_frame.rs`.
+//! Twins of `src/material/multilobe`, `src/shade/multilobe.rs`, `src/ndf/cavity.rs` and
+//! `src/slope/mean_frame.rs`.
 
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
@@ -27,12 +28,14 @@ const RECIPE: Recipe = Recipe {
 
 /// How often a pixel has a cell that decides otherwise.
 ///
-/// A cell decides its level, by the floor of a sum: a deviation of 1.6 in the mean after some 30 roundings, and a
-/// logarithm of a density, up to 60 after 4, on either machine: (1.6 * 30 + 60 * 4) * 2 * 2^-24 = 3.5e-5. A pixel has 15
-/// cells if it is square, 30 in the mean over these inputs.
+/// A cell decides its level, by the floor of a sum: a deviation of 1.6 in the mean after some 30
+/// roundings, and a logarithm of a density, up to 60 after 4, on either machine: (1.6 * 30 +
+/// 60 * 4) * 2 * 2^-24 = 3.5e-5. A pixel has 15 cells if it is square, 30 in the mean over these
+/// inputs.
 const LEVELS: f64 = 30.0 * 3.5e-5;
 
-/// The same of one that is drawn: a cell by a sum of up to 60 shares, a piece of a kernel and a side by a few numbers each.
+/// The same of one that is drawn: a cell by a sum of up to 60 shares, a piece of a kernel and a
+/// side by a few numbers each.
 const DRAWN: f64 = LEVELS + (60.0 + 20.0) * 2.0 * 6e-8;
 
 /// The dictionary in any precision, made once.
@@ -59,7 +62,8 @@ impl<R: Real> Flat<R> for PatchNdf<'_, R> {
     }
 }
 
-/// Without the pdf, which has a twin of its own: of a direction that is off by a rounding it has no bound.
+/// Without the pdf, which has a twin of its own: of a direction that is off by a rounding it has no
+/// bound.
 impl<R: Real> Flat<R> for Option<DirectionSample<R>> {
     const WGSL: &'static str =
         "put(0u, r.wi.x); put(1u, r.wi.y); put(2u, r.wi.z); put(3u, r.weight);";
@@ -71,15 +75,18 @@ impl<R: Real> Flat<R> for Option<DirectionSample<R>> {
 }
 
 super::twins! {
-    "mean_frame_of" (Mean, Direction) "lobe_mean_frame_to_local(lobe_mean_frame_of($0), $1)" => |x| {
+    "mean_frame_of" (Mean, Direction) "lobe_mean_frame_to_local(lobe_mean_frame_of($0), \
+        $1)" => |x| {
         let frame = MeanFrame::of(x.vec::<R, 2>());
         frame.to_local(x.vec::<R, 3>())
     };
-    "mean_frame_to_local" (Mean, Direction) "lobe_mean_frame_to_local(lobe_mean_frame_of($0), $1)" => |x| {
+    "mean_frame_to_local" (Mean, Direction) "lobe_mean_frame_to_local(lobe_mean_frame_of($0), \
+        $1)" => |x| {
         let frame = MeanFrame::of(x.vec::<R, 2>());
         frame.to_local(x.vec::<R, 3>())
     };
-    "mean_frame_to_tangent" (Mean, Direction) "lobe_mean_frame_to_tangent(lobe_mean_frame_of($0), $1)" => |x| {
+    "mean_frame_to_tangent" (Mean, Direction) "lobe_mean_frame_to_tangent(lobe_mean_frame_of($0), \
+        $1)" => |x| {
         let frame = MeanFrame::of(x.vec::<R, 2>());
         frame.to_tangent(x.vec::<R, 3>())
     };
@@ -100,34 +107,42 @@ super::twins! {
         cavity_masking_shadowing(wo, wi, x.vec::<R, 3>())
     };
     "dictionary_marginal" (Marginal, Slope)
-        "lobe_marginal_density(lobe_dictionary_marginal(LobeDictionary(48u, 8u, 64u), $0), $1.x)" => |x| {
+        "lobe_marginal_density(lobe_dictionary_marginal(LobeDictionary(48u, 8u, 64u), $0), \
+            $1.x)" => |x| {
         let marginal = dictionary::<R>().marginal(x.word(), x.word());
         marginal.density(x.f())
     };
     "marginal_density" (Marginal, Deviation)
-        "lobe_marginal_density(lobe_dictionary_marginal(LobeDictionary(48u, 8u, 64u), $0), $1)" => |x| {
+        "lobe_marginal_density(lobe_dictionary_marginal(LobeDictionary(48u, 8u, 64u), $0), \
+            $1)" => |x| {
         let marginal = dictionary::<R>().marginal(x.word(), x.word());
         marginal.density(x.f())
     };
     "marginal_mean" (Marginal, Deviation, Size)
-        "lobe_marginal_mean(lobe_dictionary_marginal(LobeDictionary(48u, 8u, 64u), $0), $1, $2)" => |x| {
+        "lobe_marginal_mean(lobe_dictionary_marginal(LobeDictionary(48u, 8u, 64u), $0), $1, \
+            $2)" => |x| {
         let marginal = dictionary::<R>().marginal(x.word(), x.word());
         marginal.mean(x.f(), x.f())
     };
     "marginal_quantile" (Marginal, Unit)
-        "lobe_marginal_quantile(lobe_dictionary_marginal(LobeDictionary(48u, 8u, 64u), $0), $1)" => |x| {
+        "lobe_marginal_quantile(lobe_dictionary_marginal(LobeDictionary(48u, 8u, 64u), $0), \
+            $1)" => |x| {
         let marginal = dictionary::<R>().marginal(x.word(), x.word());
         marginal.quantile(x.f())
     };
     "multi_lobe_new" flips SIZES (Facets, Patch)
-        "lobe_multi_lobe_ndf(lobe_multi_lobe_new($0.roughness, $0.density), LobeDictionary(48u, 8u, 64u), $1)" => |x| {
+        "lobe_multi_lobe_ndf(lobe_multi_lobe_new($0.roughness, $0.density), LobeDictionary(48u, \
+            8u, 64u), $1)" => |x| {
         pixel::<R>(x)
     };
-    "multi_lobe_facet_size" (Facets) "lobe_multi_lobe_facet_size($0)" => |x| x.facets::<R>().facet_size();
+    "multi_lobe_facet_size" (Facets) "lobe_multi_lobe_facet_size($0)" => |x| {
+        x.facets::<R>().facet_size()
+    };
     "multi_lobe_ndf" flips SIZES (Facets, Patch)
         "lobe_multi_lobe_ndf($0, LobeDictionary(48u, 8u, 64u), $1)" => |x| pixel::<R>(x);
     "patch_ndf_over" flips LEVELS (Facets, Patch, Mean, Psd, Slope)
-        "lobe_patch_ndf_slope_pdf(lobe_patch_ndf_over(patched($0, $1), lobe_slope_moments_new($2, $3)), $4)"
+        "lobe_patch_ndf_slope_pdf(lobe_patch_ndf_over(patched($0, $1), lobe_slope_moments_new($2, \
+            $3)), $4)"
         => |x| {
         let pixel = pixel::<R>(x);
         pixel.over(&moments(x)).slope_pdf(x.vec::<R, 2>())
@@ -140,7 +155,9 @@ super::twins! {
         pixel.slope_pdf(x.vec::<R, 2>())
     };
     "patch_ndf_smooth" (Facets, Patch, Kernel, Slope)
-        "lobe_beckmann_slope_pdf(lobe_anisotropic_normal(lobe_patch_ndf_smooth(lobe_patch_ndf_widened(patched($0, $1), $2)), vec3f(-$3, 1.0)))"
+        "lobe_beckmann_slope_pdf(lobe_anisotropic_normal(
+            lobe_patch_ndf_smooth(lobe_patch_ndf_widened(patched($0, $1), $2)), vec3f(-$3, 1.0)
+        ))"
         => |x| {
         let pixel = pixel::<R>(x);
         pixel.widened(&x.kernel()).smooth().slope_pdf(x.vec::<R, 2>())

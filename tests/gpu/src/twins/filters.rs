@@ -38,13 +38,16 @@ super::twins! {
     "kernel_tokuyoshi_forward" (Footprint) "lobe_kernel_tokuyoshi_forward($0.u, $0.v)" => |x| {
         Kernel::tokuyoshi_forward(x.vec::<R, 2>(), x.vec())
     };
-    "kernel_from_covariance" (Psd) "lobe_kernel_from_covariance($0)" => |x| Kernel::from_covariance(x.psd::<R>());
+    "kernel_from_covariance" (Psd) "lobe_kernel_from_covariance($0)" => |x| {
+        Kernel::from_covariance(x.psd::<R>())
+    };
     "kernel_add" (Kernel, Kernel) "lobe_kernel_add($0, $1)" => |x| {
         let kernel = x.kernel::<R>();
         kernel + x.kernel()
     };
     // As a kernel again: one that is nearly round has no axes, and the last bit chooses them.
-    "kernel_footprint" (Kernel, Variance) "lobe_kernel_of(lobe_kernel_footprint($0, $1), $1)" => |x| {
+    "kernel_footprint" (Kernel, Variance) "lobe_kernel_of(lobe_kernel_footprint($0, $1), \
+        $1)" => |x| {
         let (kernel, filter) = (x.kernel::<R>(), x.filter());
         Kernel::of(&kernel.footprint(filter), filter)
     };
@@ -78,11 +81,13 @@ super::twins! {
         let roughness = x.roughness::<R>();
         roughness.peak_fitted(&x.kernel())
     };
-    "roughness_peak_matched_over" (Groove, Footprint) "lobe_roughness_peak_matched_over(($0).roughness, $1)" => |x| {
+    "roughness_peak_matched_over" (Groove, Footprint)
+        "lobe_roughness_peak_matched_over(($0).roughness, $1)" => |x| {
         let roughness = x.lobe::<R>().roughness();
         roughness.peak_matched_over(&x.footprint())
     };
-    "roughness_peak_matched_over" (Roughness, Footprint) "lobe_roughness_peak_matched_over($0, $1)" => |x| {
+    "roughness_peak_matched_over" (Roughness, Footprint) "lobe_roughness_peak_matched_over($0, \
+        $1)" => |x| {
         let roughness = x.roughness::<R>();
         roughness.peak_matched_over(&x.footprint())
     };
@@ -90,7 +95,8 @@ super::twins! {
         let (u, v) = (x.vec::<R, 2>(), x.vec::<R, 2>());
         DiskKernel::of(u, v, x.filter())
     };
-    "disk_kernel_of_bounding" (Footprint, Variance) "lobe_disk_kernel_of_bounding($0.u, $0.v, $1)" => |x| {
+    "disk_kernel_of_bounding" (Footprint, Variance) "lobe_disk_kernel_of_bounding($0.u, $0.v, \
+        $1)" => |x| {
         let (u, v) = (x.vec::<R, 2>(), x.vec::<R, 2>());
         DiskKernel::of_bounding(u, v, x.filter())
     };
@@ -109,7 +115,8 @@ super::twins! {
         kernel.capped(x.f())
     };
     "roughness_widened_on_disk" (Roughness, Kernel)
-        "lobe_roughness_widened_on_disk($0, lobe_disk_kernel_from_covariance($1.covariance))" => |x| {
+        "lobe_roughness_widened_on_disk($0, \
+            lobe_disk_kernel_from_covariance($1.covariance))" => |x| {
         let roughness = x.roughness::<R>();
         roughness.widened_on_disk(&x.disk())
     };
@@ -117,7 +124,8 @@ super::twins! {
         projected_alpha(x.f::<R>(), x.f()).expect("in range")
     };
     "spherical_gaussian_new" (Position, Sharpness)
-        "lobe_spherical_gaussian_new($0, $1).direction * lobe_spherical_gaussian_new($0, $1).sharpness" => |x| {
+        "lobe_spherical_gaussian_new($0, $1).direction * lobe_spherical_gaussian_new($0, \
+            $1).sharpness" => |x| {
         let light = light::<R>(x);
         light.direction().map(|x| x * light.sharpness())
     };
@@ -127,7 +135,8 @@ super::twins! {
         SphericalGaussian::from_angular_radius(direction, radius).expect("in range").sharpness()
     };
     "spherical_gaussian_integral" (Direction, Sharpness)
-        "lobe_spherical_gaussian_integral(lobe_spherical_gaussian_new($0, $1))" => |x| light::<R>(x).integral();
+        "lobe_spherical_gaussian_integral(lobe_spherical_gaussian_new($0, \
+            $1))" => |x| light::<R>(x).integral();
     "spherical_gaussian_kernel" (Direction, Sharpness, Direction)
         "lobe_spherical_gaussian_kernel(lobe_spherical_gaussian_new($0, $1), $2)" => |x| {
         let light = light::<R>(x);
@@ -143,19 +152,23 @@ super::twins! {
         let light = light::<R>(x);
         light.footprint(x.vec::<R, 3>())
     };
-    "ggx_parallelogram_mean" (Lobe, Slope, Footprint) "lobe_ggx_parallelogram_mean(lobe_lobe_shape($0), $1, $2)" => |x| {
+    "ggx_parallelogram_mean" (Lobe, Slope, Footprint)
+        "lobe_ggx_parallelogram_mean(lobe_lobe_shape($0), $1, $2)" => |x| {
         let (ggx, slope) = (Ggx::new(x.lobe::<R>().shape()), x.vec::<R, 2>());
         ggx.parallelogram_mean(slope, &x.footprint())
     };
-    "ggx_parallelogram_mean" (Groove, Covering) "lobe_ggx_parallelogram_mean(lobe_lobe_shape($0), $1)" => |x| {
+    "ggx_parallelogram_mean" (Groove, Covering) "lobe_ggx_parallelogram_mean(lobe_lobe_shape($0), \
+        $1)" => |x| {
         let (ggx, slope) = (Ggx::new(x.lobe::<R>().shape()), x.vec::<R, 2>());
         ggx.parallelogram_mean(slope, &x.footprint())
     };
-    "ggx_rectangle_mean" (Lobe, Slope, Widths) "lobe_ggx_rectangle_mean(lobe_lobe_shape($0), $1, $2)" => |x| {
+    "ggx_rectangle_mean" (Lobe, Slope, Widths) "lobe_ggx_rectangle_mean(lobe_lobe_shape($0), $1, \
+        $2)" => |x| {
         let (ggx, slope) = (Ggx::new(x.lobe::<R>().shape()), x.vec::<R, 2>());
         ggx.rectangle_mean(slope, x.vec())
     };
-    "ggx_brdf_over" (Lobe, Pair, Footprint) "lobe_ggx_brdf_over(lobe_lobe_shape($0), $1, $2)" => |x| {
+    "ggx_brdf_over" (Lobe, Pair, Footprint) "lobe_ggx_brdf_over(lobe_lobe_shape($0), $1, \
+        $2)" => |x| {
         let ggx = Ggx::new(x.lobe::<R>().shape());
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
         ggx.brdf_over(wo, wi, &x.footprint())
@@ -169,7 +182,8 @@ super::twins! {
         "lobe_beckmann_rectangle_mean(vec2f($0, $1), $2, $3)" => |x| {
         beckmann_rectangle_mean(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>())
     };
-    "beckmann_rectangle_mean" (Alphas, Slope, Widths) "lobe_beckmann_rectangle_mean($0, $1, $2)" => |x| {
+    "beckmann_rectangle_mean" (Alphas, Slope, Widths) "lobe_beckmann_rectangle_mean($0, $1, \
+        $2)" => |x| {
         beckmann_rectangle_mean(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>())
     };
     "tokuyoshi_deferred_alpha" (Alpha, Derivative, Derivative, Variance, Limit)
@@ -204,11 +218,13 @@ super::twins! {
         let quad = [0; 4].map(|_| [0; 3].map(|_| x.vec::<R, 3>()));
         quad_normal_footprint(&quad).unwrap_or_default()
     };
-    "engine_alpha" (Engine, Alpha, Derivative, Derivative) "lobe_engine_alpha($0, $1, $2, $3)" => |x| {
+    "engine_alpha" (Engine, Alpha, Derivative, Derivative) "lobe_engine_alpha($0, $1, $2, \
+        $3)" => |x| {
         let engine = x.engine();
         engine.alpha(x.f::<R>(), x.vec::<R, 3>(), x.vec::<R, 3>()).expect("in range")
     };
-    "kaplanyan_rectangle_mean" (Alphas, Slope, Widths) "lobe_kaplanyan_rectangle_mean($0, $1, $2)" => |x| {
+    "kaplanyan_rectangle_mean" (Alphas, Slope, Widths) "lobe_kaplanyan_rectangle_mean($0, $1, \
+        $2)" => |x| {
         kaplanyan_rectangle_mean(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>())
     };
     "kaplanyan_rectangle_mean_as_printed" (Alphas, Slope, Widths)
@@ -226,7 +242,8 @@ super::twins! {
         let fresnel = Fresnel::conductor(x.vec::<R, 3>(), x.vec()).expect("in range");
         fresnel.reflectance(x.f())
     };
-    "material_bake" (Lobe, Kernel, Direction) "lobe_non_centered_form(lobe_material_bake($0, $1), $2, $2)" => |x| {
+    "material_bake" (Lobe, Kernel, Direction) "lobe_non_centered_form(lobe_material_bake($0, $1), \
+        $2, $2)" => |x| {
         let material = Material::ggx(x.lobe::<R>(), Fresnel::white());
         let shading = material.bake(&x.kernel());
         let m = x.vec();
@@ -238,19 +255,24 @@ super::twins! {
         wo[0] * h[0] + wo[1] * h[1] + wo[2] * h[2]
     };
     "ggx_evaluate" (Lobe, Kernel, Pair, Reflectance)
-        "lobe_ggx_evaluate(lobe_material_bake($0, $1), $2, lobe_fresnel_schlick($3, lobe_half_cosine($2)))" => |x| {
+        "lobe_ggx_evaluate(lobe_material_bake($0, $1), $2, lobe_fresnel_schlick($3, \
+            lobe_half_cosine($2)))" => |x| {
         let (lobe, kernel) = (x.lobe::<R>(), x.kernel());
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
-        Material::ggx(lobe, Fresnel::schlick(x.vec()).expect("in range")).bake(&kernel).evaluate(wo, wi)
+        let fresnel = Fresnel::schlick(x.vec()).expect("in range");
+        Material::ggx(lobe, fresnel).bake(&kernel).evaluate(wo, wi)
     };
     "beckmann_evaluate" (Lobe, Kernel, Pair, Reflectance)
-        "lobe_beckmann_evaluate(lobe_material_bake($0, $1), $2, lobe_fresnel_schlick($3, lobe_half_cosine($2)))" => |x| {
+        "lobe_beckmann_evaluate(lobe_material_bake($0, $1), $2, lobe_fresnel_schlick($3, \
+            lobe_half_cosine($2)))" => |x| {
         let (lobe, kernel) = (x.lobe::<R>(), x.kernel());
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
-        Material::beckmann(lobe, Fresnel::schlick(x.vec()).expect("in range")).bake(&kernel).evaluate(wo, wi)
+        let fresnel = Fresnel::schlick(x.vec()).expect("in range");
+        Material::beckmann(lobe, fresnel).bake(&kernel).evaluate(wo, wi)
     };
     "ggx_evaluate_over" (Lobe, Pair, Footprint, Reflectance)
-        "lobe_ggx_evaluate_over(lobe_lobe_shape($0), $1, $2, lobe_fresnel_schlick($3, lobe_half_cosine($1)))" => |x| {
+        "lobe_ggx_evaluate_over(lobe_lobe_shape($0), $1, $2, lobe_fresnel_schlick($3, \
+            lobe_half_cosine($1)))" => |x| {
         let lobe = x.lobe::<R>();
         let (wo, wi, footprint) = (x.vec::<R, 3>(), x.vec::<R, 3>(), x.footprint());
         let fresnel = Fresnel::schlick(x.vec()).expect("in range");

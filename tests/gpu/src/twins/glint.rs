@@ -13,30 +13,35 @@ use super::value::{Flat, Reader};
 
 /// How often a count is another, at most.
 ///
-/// A uniform number is compared with a distribution function, and the numbers that lie between two such functions are
-/// as many as their means differ. Inversion serves means up to 9, of a probability e^-y with y up to 25, whose own
-/// rounding, those of y and of 24 steps are less than 100 in all: 9 * 100 * 2^-24 for one machine, as much for the
-/// other, for each of two points of the lattice, 2.2e-4. Where failures are counted their probability is 1 less a number
-/// of 2 roundings, so that of n trials their mean is off by 2 n 2^-24: for the two in a hundred inputs with a probability
-/// of 1, on both machines and on average over n up to 4e6, from where on one more or less is a rounding, 2e-4.
+/// A uniform number is compared with a distribution function, and the numbers that lie between two
+/// such functions are as many as their means differ. Inversion serves means up to 9, of a
+/// probability e^-y with y up to 25, whose own rounding, those of y and of 24 steps are less than
+/// 100 in all: 9 * 100 * 2^-24 for one machine, as much for the other, for each of two points of
+/// the lattice, 2.2e-4. Where failures are counted their probability is 1 less a number of 2
+/// roundings, so that of n trials their mean is off by 2 n 2^-24: for the two in a hundred inputs
+/// with a probability of 1, on both machines and on average over n up to 4e6, from where on one
+/// more or less is a rounding, 2e-4.
 const COUNTS: f64 = 2.2e-4 + 2e-4;
 
-/// The same of [`Input::Tail`](super::Input::Tail), of which one in 64 is rare, 1e-10 to 1e-3: most of them lie below the
-/// error of a distribution function near 1, 1e-5, and leave the count to chance.
+/// The same of [`Input::Tail`](super::Input::Tail), of which one in 64 is rare, 1e-10 to 1e-3: most
+/// of them lie below the error of a distribution function near 1, 1e-5, and leave the count to
+/// chance.
 const RARE: f64 = COUNTS + 0.75 / 64.0;
 
-/// How often a grid is that of the next size, at most: sizes are spread over octaves, and fewer than 40 roundings on
-/// either machine are 80 * 2^-24 / ln(2) of one.
+/// How often a grid is that of the next size, at most: sizes are spread over octaves, and fewer
+/// than 40 roundings on either machine are 80 * 2^-24 / ln(2) of one.
 pub(super) const SIZES: f64 = 1e-5;
 
 /// How often a pixel has a cell that decides otherwise.
 ///
-/// Averages are over these inputs, counted: a pixel has 14 cells. Each floors two bins of 1.3 after fewer than 30
-/// roundings on either machine, 2 * 1.3 * 60 * 2^-24 = 1e-5, and draws a count, as [`COUNTS`] has it of a mean of 2 at
-/// most, 5e-5. Where nearly all details reflect, n cells 2^-24 is 2.1e-4, of 2 roundings on either machine.
+/// Averages are over these inputs, counted: a pixel has 14 cells. Each floors two bins of 1.3 after
+/// fewer than 30 roundings on either machine, 2 * 1.3 * 60 * 2^-24 = 1e-5, and draws a count, as
+/// [`COUNTS`] has it of a mean of 2 at most, 5e-5. Where nearly all details reflect, n cells 2^-24
+/// is 2.1e-4, of 2 roundings on either machine.
 const PIXELS: f64 = 14.0 * 6e-5 + 4.0 * 2.1e-4;
 
-/// A number that no driver rounds: to the bit, whatever [`Rounded`](lobe::probe::Rounded) would allow.
+/// A number that no driver rounds: to the bit, whatever [`Rounded`](lobe::probe::Rounded) would
+/// allow.
 fn exact<R: Real>(x: R) -> R {
     R::lit(x.to_f64())
 }
@@ -73,8 +78,10 @@ impl Hasher for Seen {
 
 impl<R: Real> Flat<R> for Words<R> {
     const WGSL: &'static str = "let w = r.words;
-        put(0u, f32(w.x & 0xffffu)); put(1u, f32(w.x >> 16u)); put(2u, f32(w.y & 0xffffu)); put(3u, f32(w.y >> 16u));
-        put(4u, f32(w.z & 0xffffu)); put(5u, f32(w.z >> 16u)); put(6u, f32(w.w & 0xffffu)); put(7u, f32(w.w >> 16u));";
+        put(0u, f32(w.x & 0xffffu)); put(1u, f32(w.x >> 16u)); put(2u, f32(w.y & 0xffffu)); \
+        put(3u, f32(w.y >> 16u));
+        put(4u, f32(w.z & 0xffffu)); put(5u, f32(w.z >> 16u)); put(6u, f32(w.w & 0xffffu)); \
+        put(7u, f32(w.w >> 16u));";
     fn flat(self, out: &mut Vec<R>) {
         out.extend(self.0);
     }
@@ -111,12 +118,14 @@ fn evaluated<R: Real>(
 }
 
 super::twins! {
-    "binomial_new" flips RARE (Trials, Tail) "lobe_binomial_draw(lobe_binomial_new($0), $1)" => |x| {
+    "binomial_new" flips RARE (Trials, Tail) "lobe_binomial_draw(lobe_binomial_new($0), \
+        $1)" => |x| {
         let binomial = Binomial::new(x.f::<R>(), x.f());
         binomial.draw(x.f())
     };
     "binomial_draw" flips COUNTS (Trials, Word)
-        "lobe_binomial_draw(lobe_binomial_new($0), lobe_cell_size(lobe_cell_at(vec2i(0, 0), 0, $1)))" => |x| {
+        "lobe_binomial_draw(lobe_binomial_new($0), lobe_cell_size(lobe_cell_at(vec2i(0, 0), 0, \
+            $1)))" => |x| {
         let binomial = Binomial::new(x.f::<R>(), x.f());
         binomial.draw(Cell::at([0, 0], 0, x.word()).size())
     };
@@ -126,34 +135,44 @@ super::twins! {
         let biscale = x.biscale::<R>();
         biscale.widened(&x.kernel())
     };
-    "biscale_over" (Biscale, Mean, Psd) "lobe_biscale_over($0, lobe_slope_moments_new($1, $2))" => |x| {
+    "biscale_over" (Biscale, Mean, Psd) "lobe_biscale_over($0, lobe_slope_moments_new($1, \
+        $2))" => |x| {
         let biscale = x.biscale::<R>();
         biscale.over(&moments(x))
     };
     "cell_at" (Whole, Level, Word) "lobe_cell_at($0, $1, $2)" => |x| Words::<R>::of(&cell(x));
     "cell_at_wide" (Whole, Whole, Level, Word)
         "lobe_cell_at_wide(vec4u(vec2u($0), vec2u($1)), $2, $3)" => |x| {
-        let [u, v] = [x.index(), x.index()].map(|[low, high]| (i64::from(high) << 32) | i64::from(low.cast_unsigned()));
+        let wide = |[low, high]: [i32; 2]| (i64::from(high) << 32) | i64::from(low.cast_unsigned());
+        let [u, v] = [x.index(), x.index()].map(wide);
         Words::<R>::of(&Cell::at([u, v], x.word().cast_signed(), x.word()))
     };
     "cell_jitter" (Whole, Level, Word) "lobe_cell_jitter(lobe_cell_at($0, $1, $2))" => |x| {
         cell(x).jitter::<R>().map(exact)
     };
-    "cell_size" (Whole, Level, Word) "lobe_cell_size(lobe_cell_at($0, $1, $2))" => |x| exact(cell(x).size::<R>());
-    "cell_turn" (Whole, Level, Word) "lobe_cell_turn(lobe_cell_at($0, $1, $2))" => |x| exact(cell(x).turn::<R>());
-    "cell_hue" (Whole, Level, Word) "lobe_cell_hue(lobe_cell_at($0, $1, $2))" => |x| exact(cell(x).hue::<R>());
-    "cell_count" (Whole, Level, Word, Whole) "lobe_cell_count(lobe_cell_at($0, $1, $2), $3)" => |x| {
+    "cell_size" (Whole, Level, Word) "lobe_cell_size(lobe_cell_at($0, $1, \
+        $2))" => |x| exact(cell(x).size::<R>());
+    "cell_turn" (Whole, Level, Word) "lobe_cell_turn(lobe_cell_at($0, $1, \
+        $2))" => |x| exact(cell(x).turn::<R>());
+    "cell_hue" (Whole, Level, Word) "lobe_cell_hue(lobe_cell_at($0, $1, \
+        $2))" => |x| exact(cell(x).hue::<R>());
+    "cell_count" (Whole, Level, Word, Whole) "lobe_cell_count(lobe_cell_at($0, $1, $2), \
+        $3)" => |x| {
         let cell = cell(x);
         exact(cell.count::<R>(x.index()))
     };
     "hue_wheel" (Unit) "lobe_hue_wheel($0)" => |x| hue_wheel(x.f::<R>());
     "glints_new" (Glints, Patch, Half, Blur)
-        "lobe_glint_ndf_probability(lobe_glints_ndf(lobe_glints_new($0.biscale, $0.density), $1), $2, $3)" => |x| {
+        "lobe_glint_ndf_probability(lobe_glints_ndf(lobe_glints_new($0.biscale, $0.density), $1), \
+            $2, $3)" => |x| {
         let pixel = pixel::<R>(x);
         pixel.probability(x.vec::<R, 3>(), x.f())
     };
-    "glints_detail_size" flips SIZES (Glints) "lobe_glints_detail_size($0)" => |x| x.glints::<R>().detail_size();
-    "glints_ndf" flips SIZES (Glints, Patch) "lobe_glints_ndf($0, $1).grid" => |x| *pixel::<R>(x).grid();
+    "glints_detail_size" flips SIZES (Glints) "lobe_glints_detail_size($0)" => |x| {
+        x.glints::<R>().detail_size()
+    };
+    "glints_ndf" flips SIZES (Glints, Patch) "lobe_glints_ndf($0, \
+        $1).grid" => |x| *pixel::<R>(x).grid();
     "patch_new" flips SIZES (Plain, Size) "lobe_grid_new(lobe_patch_new($0), $1)" => |x| {
         let patch = Patch::new(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>());
         Grid::new(&patch, x.f())
@@ -174,7 +193,8 @@ super::twins! {
         Grid::stretched(&patch, x.vec(), x.f())
     };
     "glint_ndf_over" (Glints, Patch, Mean, Psd)
-        "lobe_glint_ndf_smooth_lobe(lobe_glint_ndf_over(lobe_glints_ndf($0, $1), lobe_slope_moments_new($2, $3)))" => |x| {
+        "lobe_glint_ndf_smooth_lobe(lobe_glint_ndf_over(lobe_glints_ndf($0, $1), \
+            lobe_slope_moments_new($2, $3)))" => |x| {
         let pixel = pixel::<R>(x);
         pixel.over(&moments(x)).smooth_lobe()
     };
@@ -183,9 +203,11 @@ super::twins! {
         let pixel = pixel::<R>(x);
         pixel.widened(&x.kernel()).smooth_lobe()
     };
-    "glint_ndf_smooth_lobe" (Glints, Patch) "lobe_glint_ndf_smooth_lobe(lobe_glints_ndf($0, $1))" => |x| pixel::<R>(x).smooth_lobe();
+    "glint_ndf_smooth_lobe" (Glints, Patch) "lobe_glint_ndf_smooth_lobe(lobe_glints_ndf($0, \
+        $1))" => |x| pixel::<R>(x).smooth_lobe();
     "glint_ndf_probability" (Glints, Patch, Kernel, Half, Blur)
-        "lobe_glint_ndf_probability(lobe_glint_ndf_widened(lobe_glints_ndf($0, $1), $2), $3, $4)" => |x| {
+        "lobe_glint_ndf_probability(lobe_glint_ndf_widened(lobe_glints_ndf($0, $1), $2), $3, \
+            $4)" => |x| {
         let pixel = pixel::<R>(x);
         let pixel = pixel.widened(&x.kernel());
         pixel.probability(x.vec::<R, 3>(), x.f())
@@ -196,7 +218,8 @@ super::twins! {
         pixel.sparkle(x.vec::<R, 3>(), x.f())
     };
     "glint_ndf_sparkle" by "over" flips PIXELS (Glints, Patch, Mean, Psd, Half, Blur)
-        "lobe_glint_ndf_sparkle(lobe_glint_ndf_over(lobe_glints_ndf($0, $1), lobe_slope_moments_new($2, $3)), $4, $5)"
+        "lobe_glint_ndf_sparkle(lobe_glint_ndf_over(lobe_glints_ndf($0, $1), \
+            lobe_slope_moments_new($2, $3)), $4, $5)"
         => |x| {
         let pixel = pixel::<R>(x);
         let pixel = pixel.over(&moments(x));
@@ -222,12 +245,16 @@ super::twins! {
         light_blur(wo, wi, x.f::<R>())
     };
     "glint_evaluate" flips PIXELS (Glints, Patch, Mirrored, Radius, Reflectance)
-        "lobe_glint_evaluate(lobe_glints_ndf($0, $1), $2, $3, lobe_fresnel_schlick($4, lobe_half_cosine($2)))" => |x| {
+        "lobe_glint_evaluate(lobe_glints_ndf($0, $1), $2, $3, lobe_fresnel_schlick($4, \
+            lobe_half_cosine($2)))" => |x| {
         evaluated::<R>(x, GlintShading::evaluate)
     };
     "glint_evaluate_colored" flips PIXELS (Glints, Patch, Mirrored, Radius, Reflectance)
-        "lobe_glint_evaluate_colored(lobe_glints_ndf($0, $1), $2, $3, lobe_fresnel_schlick($4, lobe_half_cosine($2)))"
+        "lobe_glint_evaluate_colored(lobe_glints_ndf($0, $1), $2, $3, lobe_fresnel_schlick($4, \
+            lobe_half_cosine($2)))"
         => |x| {
-        evaluated::<R>(x, |shading, wo, wi, radius| shading.evaluate_colored(wo, wi, radius, hue_wheel))
+        evaluated::<R>(x, |shading, wo, wi, radius| {
+            shading.evaluate_colored(wo, wi, radius, hue_wheel)
+        })
     };
 }

@@ -1,10 +1,12 @@
-//! What twins of glints and facets are given: words, counts, materials, pixels and directions, and how WGSL reads them.
+//! What twins of glints and facets are given: words, counts, materials, pixels and directions, and
+//! how WGSL reads them.
 
 use super::input::{Drawn, Input};
 use super::number::{normalized, unit};
 use crate::arbitrary::{Ellipse, LobeInput, Source};
 
-/// The WGSL expression of a group, over the place of each of its floats; `None` for groups of plain numbers.
+/// The WGSL expression of a group, over the place of each of its floats; `None` for groups of plain
+/// numbers.
 pub(super) fn wgsl(input: Input, at: impl Fn(usize) -> String) -> Option<String> {
     let bits = |k: usize| at(k).replace("at(", "bits_at(");
     let whole = |k: usize| format!("bitcast<i32>({})", bits(k));
@@ -77,7 +79,8 @@ pub(super) fn draw(input: Input, s: &mut Source, drawn: &mut Drawn, out: &mut Ve
         }
         Input::Blurring => {
             let lobe = drawn.lobe.expect("a lobe before its kernel");
-            // Large ones are cut in pieces, whose ends move against each other: what a bound adds up, a sum does not.
+            // Large ones are cut in pieces, whose ends move against each other: what a bound adds
+            // up, a sum does not.
             let most = if s.pick(8) == 0 { 3.0 } else { 0.05 };
             let [x, y] = s.vector(1e-3, most);
             // Now and then one that is round in the lobe's plane.
@@ -140,8 +143,9 @@ fn whole(s: &mut Source) -> u32 {
 
 /// A pixel's tile: the first one in half of the cases, or near it, far away, at the ends.
 ///
-/// Pixels of stretched details lie within 4 tiles of the origin. Their coordinates are multiplied by a square root: where a
-/// driver rounds it differently, a pixel in tile t moves by t times the difference, and far tiles would tell nothing.
+/// Pixels of stretched details lie within 4 tiles of the origin. Their coordinates are multiplied
+/// by a square root: where a driver rounds it differently, a pixel in tile t moves by t times the
+/// difference, and far tiles would tell nothing.
 fn tile(s: &mut Source, drawn: &Drawn) -> [u32; 2] {
     match s.pick(2) {
         0 => [0; 2],
@@ -160,7 +164,8 @@ fn level(s: &mut Source) -> u32 {
     }
 }
 
-/// A number of trials, whole or not, of any size, and a probability: means up to 40, points of the lattice, the ends.
+/// A number of trials, whole or not, of any size, and a probability: means up to 40, points of the
+/// lattice, the ends.
 fn trials(s: &mut Source) -> [f64; 2] {
     let n = match s.pick(6) {
         0 => 1.0,
@@ -177,7 +182,8 @@ fn trials(s: &mut Source) -> [f64; 2] {
     [n, p.min(1.0)]
 }
 
-/// Two alphas and two fractions: details round, longer along an axis, without end. Sharp ones have alphas of 2e-4.
+/// Two alphas and two fractions: details round, longer along an axis, without end. Sharp ones have
+/// alphas of 2e-4.
 fn biscale(s: &mut Source, drawn: &mut Drawn) -> [f64; 4] {
     let mut alpha = || s.log_uniform(0.01, 3.0);
     let [a, b] = [alpha(), alpha()];
@@ -189,7 +195,8 @@ fn biscale(s: &mut Source, drawn: &mut Drawn) -> [f64; 4] {
     [a, b, f, g]
 }
 
-/// Details per unit area: with the sizes of pixels below from one in a hundred pixels to any number.
+/// Details per unit area: with the sizes of pixels below from one in a hundred pixels to any
+/// number.
 fn density(s: &mut Source) -> f64 {
     match s.pick(16) {
         0 => 1e-18,

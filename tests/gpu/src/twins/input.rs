@@ -1,4 +1,5 @@
-//! What twins are given: groups of floats, drawn ordinary and adversarial, and how either language reads them.
+//! What twins are given: groups of floats, drawn ordinary and adversarial, and how either language
+//! reads them.
 
 use lobe::Footprint;
 
@@ -79,11 +80,14 @@ pub enum Input {
     Roughness,
     /// A roughness and a mean.
     Lobe,
-    /// A roughness that is a mirror's, a groove's, or narrower than f32 has squares for, and a mean.
+    /// A roughness that is a mirror's, a groove's, or narrower than f32 has squares for, and a
+    /// mean.
     Groove,
-    /// A slope and a footprint around it that reaches the mean drawn before, or nearly, as two arguments.
+    /// A slope and a footprint around it that reaches the mean drawn before, or nearly, as two
+    /// arguments.
     Covering,
-    /// Two directions whose half vector's slope is that of such a footprint, and the footprint, as three arguments.
+    /// Two directions whose half vector's slope is that of such a footprint, and the footprint, as
+    /// three arguments.
     Mirroring,
     /// Two derivative vectors of a slope.
     Footprint,
@@ -305,7 +309,8 @@ impl Input {
             }]),
             Self::Unorm => {
                 let [xx, xy, yy] = s.mild_ellipse(10.0).entries().map(|a| 0.5 * a);
-                // Where steps leave no digit of a determinant, the last bit says whether there is one.
+                // Where steps leave no digit of a determinant, the last bit says whether there is
+                // one.
                 let [x, y] = [xx, yy].map(|variance| s.uniform(-3.0, 3.0) * variance.sqrt());
                 let second = [xx + x * x, xy + x * y, yy + y * y];
                 let range = second[0].max(second[2]).sqrt().max(1e-6);
@@ -332,10 +337,12 @@ impl Input {
                 let mut narrow = |least: f64| s.log_uniform(least, 1e-6);
                 let (x, y) = (narrow(1e-18), narrow(1e-18));
                 let wide = s.log_uniform(1e-3, 3.0);
-                // Whole numbers of few bits, so that the outer product is exact and has no determinant.
+                // Whole numbers of few bits, so that the outer product is exact and has no
+                // determinant.
                 let whole = |s: &mut Source| s.uniform(1.0, 2047.0).floor() * s.sign();
                 let (a, b, scale) = (whole(s), whole(s), 2.0_f64.powi(-(s.pick(24) as i32)));
-                // Few lobes that are narrow, but none of these: their roundings' bounds leave the range of f32.
+                // Few lobes that are narrow, but none of these: their roundings' bounds leave the
+                // range of f32.
                 put(&match s.pick(20) {
                     0..4 => [0.0; 3],
                     4..8 => [wide * wide, 0.0, 0.0],

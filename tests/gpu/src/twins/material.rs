@@ -10,17 +10,20 @@ use super::slope::moments;
 
 super::twins! {
     "slope_moments_add" (Mean, Psd, Mean, Psd)
-        "lobe_slope_moments_add(lobe_slope_moments_new($0, $1), lobe_slope_moments_new($2, $3))" => |x| {
+        "lobe_slope_moments_add(lobe_slope_moments_new($0, $1), lobe_slope_moments_new($2, \
+            $3))" => |x| {
         let one = moments::<R>(x);
         one + moments(x)
     };
     "slope_moments_plus_correlated" (Mean, Psd, Mean, Psd, Matrix)
-        "lobe_slope_moments_plus_correlated(lobe_slope_moments_new($0, $1), lobe_slope_moments_new($2, $3), $4)" => |x| {
+        "lobe_slope_moments_plus_correlated(lobe_slope_moments_new($0, $1), \
+            lobe_slope_moments_new($2, $3), $4)" => |x| {
         let (one, other) = (moments::<R>(x), moments(x));
         one.plus_correlated(&other, x.matrix())
     };
     "slope_moments_cross_covariance" (Mean, Psd, Mean, Psd, Matrix)
-        "lobe_slope_moments_cross_covariance(lobe_slope_moments_new($0, $1), lobe_slope_moments_new($2, $3), $4)" => |x| {
+        "lobe_slope_moments_cross_covariance(lobe_slope_moments_new($0, $1), \
+            lobe_slope_moments_new($2, $3), $4)" => |x| {
         let (one, other) = (moments::<R>(x), moments(x));
         one.cross_covariance(&other, x.matrix())
     };
@@ -52,7 +55,9 @@ super::twins! {
     "clean_variance" (Mean, Size) "lobe_clean_variance($0, $1)" => |x| {
         clean_variance(x.vec::<R, 2>(), x.f()).expect("in range")
     };
-    "vmf_sharpness" (MeanLength) "lobe_vmf_sharpness($0)" => |x| vmf_sharpness(x.f::<R>()).expect("in range");
+    "vmf_sharpness" (MeanLength) "lobe_vmf_sharpness($0)" => |x| {
+        vmf_sharpness(x.f::<R>()).expect("in range")
+    };
     "vmf_alpha" by "THE_ORDER" (Alpha, MeanLength)
         "lobe_vmf_alpha($0, $1, LOBE_VMF_WIDENING_THE_ORDER)" => |x| {
         VmfWidening::THE_ORDER.alpha(x.f::<R>(), x.f()).expect("in range")
@@ -72,7 +77,8 @@ super::twins! {
         let surface = x.leadr::<R>();
         surface.brdf_cos(x.vec::<R, 3>(), x.vec::<R, 3>(), Shadowing::Both)
     };
-    "leadr_unshadowed_brdf_cos" (Lobe, Pair) "lobe_leadr_unshadowed_brdf_cos(lobe_leadr_new($0), $1)" => |x| {
+    "leadr_unshadowed_brdf_cos" (Lobe, Pair) "lobe_leadr_unshadowed_brdf_cos(lobe_leadr_new($0), \
+        $1)" => |x| {
         let surface = x.leadr::<R>();
         surface.brdf_cos(x.vec::<R, 3>(), x.vec::<R, 3>(), Shadowing::MaskingOnly)
     };
@@ -84,7 +90,8 @@ super::twins! {
         let (surface, wo) = (x.leadr::<R>(), x.vec::<R, 3>());
         surface.facet(wo, x.node())
     };
-    "leadr_artificial_facet" (Lobe, Direction) "lobe_leadr_artificial_facet(lobe_leadr_new($0), -$1)" => |x| {
+    "leadr_artificial_facet" (Lobe, Direction) "lobe_leadr_artificial_facet(lobe_leadr_new($0), \
+        -$1)" => |x| {
         let surface = x.leadr::<R>();
         let wo = x.vec::<R, 3>().map(|w| -w);
         surface.artificial_facet(wo)

@@ -1,4 +1,5 @@
-//! Every function of the WGSL port with its twin: the inputs, the WGSL expression, and the same in Rust.
+//! Every function of the WGSL port with its twin: the inputs, the WGSL expression, and the same in
+//! Rust.
 
 mod facets;
 mod filters;
@@ -60,21 +61,26 @@ fn four(v: vec4f) -> mat2x2f {
 
 /// Glints with all their numbers, which Rust sets one by one.
 const GLITTERING: &str = "
-fn glittering(biscale: LobeBiscale, density: f32, variation: f32, share: f32, seed: u32) -> LobeGlints {
+fn glittering(biscale: LobeBiscale, density: f32, variation: f32, share: f32, seed: u32) -> \
+LobeGlints {
     let plain = lobe_glints_new(biscale, density);
-    return LobeGlints(plain.biscale, plain.density, variation, share, plain.stretch, plain.groove, seed);
+    return LobeGlints(plain.biscale, plain.density, variation, share, plain.stretch, \
+    plain.groove, seed);
 }
 ";
 
-/// Facets with all their numbers, which Rust sets one by one, and under a pixel, with the dictionary of the buffer.
+/// Facets with all their numbers, which Rust sets one by one, and under a pixel, with the
+/// dictionary of the buffer.
 const PATCHED: &str = "
 fn patched(facets: LobeMultiLobe, pixel: LobePatch) -> LobePatchNdf {
     return lobe_multi_lobe_ndf(facets, LobeDictionary(48u, 8u, 64u), pixel);
 }
 ";
 const FACETED: &str = "
-fn faceted(roughness: LobeRoughness, density: f32, variation: f32, share: f32, seed: u32) -> LobeMultiLobe {
-    return LobeMultiLobe(roughness, lobe_multi_lobe_new(roughness, density).density, variation, share, seed);
+fn faceted(roughness: LobeRoughness, density: f32, variation: f32, share: f32, seed: u32) -> \
+LobeMultiLobe {
+    return LobeMultiLobe(roughness, lobe_multi_lobe_new(roughness, density).density, variation, \
+    share, seed);
 }
 ";
 
@@ -87,8 +93,8 @@ pub struct Twin {
     pub by: &'static str,
     /// Its inputs.
     pub inputs: Vec<Input>,
-    /// The largest share of inputs whose result may jump, where one rounding more makes the function decide otherwise.
-    /// 0 for functions that decide nothing.
+    /// The largest share of inputs whose result may jump, where one rounding more makes the
+    /// function decide otherwise. 0 for functions that decide nothing.
     pub flips: f64,
     expression: String,
     statements: &'static str,
@@ -121,8 +127,8 @@ impl Twin {
         floats
     }
 
-    /// The same, with numbers among them that no function promises anything for: in most items one in three, in one of
-    /// four items all.
+    /// The same, with numbers among them that no function promises anything for: in most items one
+    /// in three, in one of four items all.
     pub fn draw_hostile(&self, count: usize) -> Vec<f32> {
         let mut floats = self.draw(count);
         for (seed, item) in (0..).zip(floats.chunks_mut(self.reads())) {
@@ -170,19 +176,25 @@ impl Twin {
         (self.fused)(&mut Reader::new(floats)).into_iter().map(Fused::value).collect()
     }
 
-    /// Rust's results with their scales: what rounding every operation once more could change, in units of 2^-24.
+    /// Rust's results with their scales: what rounding every operation once more could change, in
+    /// units of 2^-24.
     pub fn rounded(&self, floats: &[f32]) -> Vec<Rounded> {
         (self.rounded)(&mut Reader::new(floats))
     }
 }
 
-/// Writes a table of twins: name, by what, share of flips, inputs, WGSL with `$k` for the inputs, and Rust over a
-/// reader.
+/// Writes a table of twins: name, by what, share of flips, inputs, WGSL with `$k` for the inputs,
+/// and Rust over a reader.
 macro_rules! twins {
-    ($($name:literal $(by $by:literal)? $(flips $flips:ident)? ($($input:ident),*) $wgsl:literal => |$x:ident| $rust:expr;)*) => {
+    ($(
+        $name:literal $(by $by:literal)? $(flips $flips:ident)? ($($input:ident),*)
+            $wgsl:literal => |$x:ident| $rust:expr;
+    )*) => {
         pub(in crate::twins) fn twins() -> Vec<$crate::twins::Twin> {
             vec![$({
-                fn eval<R: lobe::Real>($x: &mut $crate::twins::value::Reader<'_>) -> impl $crate::twins::value::Flat<R> + use<R> {
+                fn eval<R: lobe::Real>(
+                    $x: &mut $crate::twins::value::Reader<'_>,
+                ) -> impl $crate::twins::value::Flat<R> + use<R> {
                     $rust
                 }
                 fn flat<R: lobe::Real>(x: &mut $crate::twins::value::Reader<'_>) -> Vec<R> {
@@ -190,7 +202,9 @@ macro_rules! twins {
                     $crate::twins::value::Flat::<R>::flat(eval::<R>(x), &mut out);
                     out
                 }
-                fn statements<R, F: $crate::twins::value::Flat<R>>(_: fn(&mut $crate::twins::value::Reader<'_>) -> F) -> &'static str {
+                fn statements<R, F: $crate::twins::value::Flat<R>>(
+                    _: fn(&mut $crate::twins::value::Reader<'_>) -> F,
+                ) -> &'static str {
                     F::WGSL
                 }
                 $crate::twins::Twin {

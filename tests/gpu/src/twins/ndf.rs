@@ -19,7 +19,9 @@ trait Shaped {
 }
 
 macro_rules! shaped {
-    ($($name:ident $shape:ty, $text:literal, $input:ident, $wgsl:literal => |$x:ident| $read:expr;)*) => {
+    ($(
+        $name:ident $shape:ty, $text:literal, $input:ident, $wgsl:literal => |$x:ident| $read:expr;
+    )*) => {
         $(
             struct $name;
             impl Shaped for $name {
@@ -39,14 +41,20 @@ shaped! {
     OfIsotropic Isotropic<R>, "isotropic", Alpha, "lobe_isotropic_new($0)" => |x| {
         Isotropic::new(x.f()).expect("a drawn alpha is in range")
     };
-    OfAxisAligned AxisAligned<R>, "axis_aligned", Alphas, "lobe_axis_aligned_new($0.x, $0.y)" => |x| {
+    OfAxisAligned AxisAligned<R>, "axis_aligned", Alphas, "lobe_axis_aligned_new($0.x, \
+        $0.y)" => |x| {
         AxisAligned::new(x.f(), x.f()).expect("drawn alphas are in range")
     };
-    OfAnisotropic Anisotropic<R>, "anisotropic", Roughness, "lobe_anisotropic_new($0)" => |x| Anisotropic::new(x.roughness());
-    OfNonCentered NonCentered<Anisotropic<R>>, "non_centered", Lobe, "lobe_lobe_shape($0)" => |x| x.lobe().shape();
+    OfAnisotropic Anisotropic<R>, "anisotropic", Roughness, "lobe_anisotropic_new($0)" => |x| {
+        Anisotropic::new(x.roughness())
+    };
+    OfNonCentered NonCentered<Anisotropic<R>>, "non_centered", Lobe, "lobe_lobe_shape($0)" => |x| {
+        x.lobe().shape()
+    };
 }
 
-/// Writes the functions of `Ndf`: method, further inputs, the WGSL arguments over `SHAPE` and its expression `MADE`.
+/// Writes the functions of `Ndf`: method, further inputs, the WGSL arguments over `SHAPE` and its
+/// expression `MADE`.
 macro_rules! methods {
     ($($method:ident $(as $name:literal)? ($($input:ident),*) $wgsl:literal;)*) => {
         fn over<D: Distribution, S: Shaped>(prefix: &str) -> Vec<Twin> {
@@ -110,7 +118,8 @@ methods! {
     projected_area(direction) "lobe_SHAPE_view(MADE, $1)";
     lambda(direction) "lobe_SHAPE_view(MADE, $1)";
     g1 as "masking" (direction) "lobe_SHAPE_view(MADE, $1)";
-    g2 as "masking_shadowing" (direction, direction) "lobe_SHAPE_view(MADE, $1), lobe_SHAPE_view(MADE, $2)";
+    g2 as "masking_shadowing" (direction, direction) "lobe_SHAPE_view(MADE, $1), \
+        lobe_SHAPE_view(MADE, $2)";
     visibility(direction, direction) "lobe_SHAPE_view(MADE, $1), lobe_SHAPE_view(MADE, $2)";
 }
 
@@ -119,14 +128,18 @@ mod owed {
     use super::{Beckmann, BeckmannDistribution, Distribution, GgxDistribution};
 
     super::super::twins! {
-        "ggx_density" (Alpha, Alpha, Alpha, Alpha, Alpha) "lobe_ggx_density($0, $1, $2, $3, $4)" => |x| {
+        "ggx_density" (Alpha, Alpha, Alpha, Alpha, Alpha) "lobe_ggx_density($0, $1, $2, $3, \
+            $4)" => |x| {
             GgxDistribution::density(x.f::<R>(), x.f(), x.f(), x.f(), x.f())
         };
-        "ggx_excess" (Unit, Size) "lobe_ggx_excess($0, $1)" => |x| GgxDistribution::excess(x.f::<R>(), x.f());
+        "ggx_excess" (Unit, Size) "lobe_ggx_excess($0, $1)" => |x| {
+            GgxDistribution::excess(x.f::<R>(), x.f())
+        };
         "ggx_even_area" (Cosine, Size) "lobe_ggx_even_area($0, $1)" => |x| {
             GgxDistribution::even_area(x.f::<R>(), x.f())
         };
-        "beckmann_density" (Alpha, Alpha, Alpha, Alpha, Alpha) "lobe_beckmann_density($0, $1, $2, $3, $4)" => |x| {
+        "beckmann_density" (Alpha, Alpha, Alpha, Alpha, Alpha) "lobe_beckmann_density($0, $1, $2, \
+            $3, $4)" => |x| {
             BeckmannDistribution::density(x.f::<R>(), x.f(), x.f(), x.f(), x.f())
         };
         "beckmann_excess" (Unit, Size) "lobe_beckmann_excess($0, $1)" => |x| {
@@ -135,7 +148,8 @@ mod owed {
         "beckmann_even_area" (Cosine, Size) "lobe_beckmann_even_area($0, $1)" => |x| {
             BeckmannDistribution::even_area(x.f::<R>(), x.f())
         };
-        "beckmann_lambda_walter" (Lobe, Direction) "lobe_beckmann_lambda_walter(lobe_non_centered_view(lobe_lobe_shape($0), $1))"
+        "beckmann_lambda_walter" (Lobe, Direction)
+            "lobe_beckmann_lambda_walter(lobe_non_centered_view(lobe_lobe_shape($0), $1))"
             => |x| {
             let beckmann = Beckmann::new(x.lobe::<R>().shape());
             beckmann.lambda_walter(x.vec())

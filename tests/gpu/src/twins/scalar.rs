@@ -9,11 +9,16 @@ fn truth<R: Real>(holds: bool) -> R {
 super::twins! {
     "min" (Any, Any) "lobe_min($0, $1)" => |x| { let (a, b) = (x.f::<R>(), x.f()); a.min(b) };
     "max" (Any, Any) "lobe_max($0, $1)" => |x| { let (a, b) = (x.f::<R>(), x.f()); a.max(b) };
-    "is_finite" (Any) "select(0.0, 1.0, lobe_is_finite($0))" => |x| truth::<R>(x.f::<R>().is_finite());
+    "is_finite" (Any) "select(0.0, 1.0, lobe_is_finite($0))" => |x| {
+        truth::<R>(x.f::<R>().is_finite())
+    };
     "exp" (Exponent) "lobe_exp($0)" => |x| x.f::<R>().exp();
     "ln" (Positive) "lobe_ln($0)" => |x| x.f::<R>().ln();
     "atan" (Any) "lobe_atan($0)" => |x| x.f::<R>().atan();
-    "atan_of" (Any, Any) "lobe_atan_of($0, $1)" => |x| { let (y, x) = (x.f::<R>(), x.f()); y.atan2(x) };
+    "atan_of" (Any, Any) "lobe_atan_of($0, $1)" => |x| {
+        let (y, x) = (x.f::<R>(), x.f());
+        y.atan2(x)
+    };
     "erfcx" (Size) "lobe_erfcx($0)" => |x| x.f::<R>().erfcx();
     "ierfcx" (Size) "lobe_ierfcx($0)" => |x| x.f::<R>().ierfcx();
     "erfc" (Deviation) "lobe_erfc($0)" => |x| x.f::<R>().erfc();
@@ -38,13 +43,21 @@ super::twins! {
         let m = x.psd::<R>();
         m + x.kernel().covariance()
     };
-    "psd_quadratic" (Psd, Slope) "lobe_psd_quadratic($0, $1)" => |x| { let m = x.psd::<R>(); m.quadratic(x.vec()) };
+    "psd_quadratic" (Psd, Slope) "lobe_psd_quadratic($0, \
+        $1)" => |x| { let m = x.psd::<R>(); m.quadratic(x.vec()) };
     "psd_cholesky" (Psd) "lobe_psd_cholesky($0)" => |x| x.psd::<R>().cholesky();
     "psd_eigen" (Psd) "lobe_psd_eigen($0)" => |x| x.psd::<R>().eigen();
     // Put together again: a matrix that is nearly round has no axis, and the last bit chooses one.
     "psd_eigen" by "kernel" (Kernel) "put_together(lobe_psd_eigen($0.covariance))" => |x| {
         let Eigen { major, minor, axis: [cos, sin] } = x.kernel::<R>().covariance().eigen();
-        [major * cos * cos + minor * sin * sin, (major - minor) * cos * sin, major * sin * sin + minor * cos * cos]
+        [
+            major * cos * cos + minor * sin * sin,
+            (major - minor) * cos * sin,
+            major * sin * sin + minor * cos * cos,
+        ]
     };
-    "psd_capped" (Psd, Limit) "lobe_psd_capped($0, $1)" => |x| { let m = x.psd::<R>(); m.capped(x.f()) };
+    "psd_capped" (Psd, Limit) "lobe_psd_capped($0, $1)" => |x| {
+        let m = x.psd::<R>();
+        m.capped(x.f())
+    };
 }

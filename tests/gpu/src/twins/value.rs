@@ -182,32 +182,42 @@ fn four<R: Real>(psd: Psd<R>) -> [R; 4] {
 }
 
 flat! {
-    Biscale: "let s = r.spread.psd; put(0u, s.xx); put(1u, s.xy); put(2u, s.yy); put(3u, s.root_det);
-              let l = r.local.psd; put(4u, l.xx); put(5u, l.xy); put(6u, l.yy); put(7u, l.root_det);",
+    Biscale: "let s = r.spread.psd; put(0u, s.xx); put(1u, s.xy); put(2u, s.yy); put(3u, \
+        s.root_det);
+              let l = r.local.psd; put(4u, l.xx); put(5u, l.xy); put(6u, l.yy); put(7u, \
+              l.root_det);",
         |x| [four(x.spread().matrix()), four(x.local().matrix())].concat();
     Psd: "put(0u, r.xx); put(1u, r.xy); put(2u, r.yy); put(3u, r.root_det);", |x| four(x);
     Roughness: "let m = r.psd; put(0u, m.xx); put(1u, m.xy); put(2u, m.yy); put(3u, m.root_det);",
         |x| four(x.matrix());
-    Kernel: "let m = r.covariance; put(0u, m.xx); put(1u, m.xy); put(2u, m.yy); put(3u, m.root_det);",
+    Kernel: "let m = r.covariance; put(0u, m.xx); put(1u, m.xy); put(2u, m.yy); put(3u, \
+        m.root_det);",
         |x| four(x.covariance());
-    DiskKernel: "let m = r.as_slopes.covariance; put(0u, m.xx); put(1u, m.xy); put(2u, m.yy); put(3u, m.root_det);",
+    DiskKernel: "let m = r.as_slopes.covariance; put(0u, m.xx); put(1u, m.xy); put(2u, m.yy); \
+        put(3u, m.root_det);",
         |x| four(x.covariance());
-    Lobe: "let m = r.roughness.psd; put(0u, r.mean.x); put(1u, r.mean.y); put(2u, m.xx); put(3u, m.xy);
+    Lobe: "let m = r.roughness.psd; put(0u, r.mean.x); put(1u, r.mean.y); put(2u, m.xx); put(3u, \
+        m.xy);
            put(4u, m.yy); put(5u, m.root_det);",
         |x| x.mean().into_iter().chain(four(x.roughness().matrix()));
-    SlopeMoments: "let m = r.covariance; put(0u, r.mean.x); put(1u, r.mean.y); put(2u, m.xx); put(3u, m.xy);
+    SlopeMoments: "let m = r.covariance; put(0u, r.mean.x); put(1u, r.mean.y); put(2u, m.xx); \
+        put(3u, m.xy);
                    put(4u, m.yy); put(5u, m.root_det);",
         |x| x.mean().into_iter().chain(four(x.covariance()));
-    Footprint: "put(0u, r.u.x); put(1u, r.u.y); put(2u, r.v.x); put(3u, r.v.y);", |x| [x.u, x.v].concat();
+    Footprint: "put(0u, r.u.x); put(1u, r.u.y); put(2u, r.v.x); put(3u, \
+        r.v.y);", |x| [x.u, x.v].concat();
     Eigen: "put(0u, r.major); put(1u, r.minor); put(2u, r.axis.x); put(3u, r.axis.y);",
         |x| [x.major, x.minor, x.axis[0], x.axis[1]];
-    Alphas: "put(0u, r.major); put(1u, r.minor); put(2u, r.angle);", |x| [x.major, x.minor, x.angle];
+    Alphas: "put(0u, r.major); put(1u, r.minor); put(2u, \
+        r.angle);", |x| [x.major, x.minor, x.angle];
     Motion: "let h = r.half_vector; put(0u, h.x); put(1u, h.y); put(2u, h.z); put(3u, r.normal.x);
              put(4u, r.normal.y); put(5u, r.spin);",
         |x| x.half_vector.into_iter().chain(x.normal).chain([x.spin]);
-    Facet: "put(0u, r.normal.x); put(1u, r.normal.y); put(2u, r.normal.z); put(3u, r.wi.x); put(4u, r.wi.y);
+    Facet: "put(0u, r.normal.x); put(1u, r.normal.y); put(2u, r.normal.z); put(3u, r.wi.x); \
+        put(4u, r.wi.y);
             put(5u, r.wi.z); put(6u, r.cosine); put(7u, r.area); put(8u, r.solid_angle);",
         |x| x.normal.into_iter().chain(x.wi).chain([x.cosine, x.area, x.solid_angle]);
-    Vertex: "let w = r.direction; put(0u, w.x); put(1u, w.y); put(2u, w.z); put(3u, r.inverse_distance);",
+    Vertex: "let w = r.direction; put(0u, w.x); put(1u, w.y); put(2u, w.z); put(3u, \
+        r.inverse_distance);",
         |x| x.direction.into_iter().chain([x.inverse_distance]);
 }

@@ -34,7 +34,8 @@ pub(crate) const SHADED: &str = "
     let kernel = lobe_kernel_of(footprint, LOBE_PIXEL_FILTER_BOX);
     let wider = lobe_anisotropic_new(lobe_roughness_widened(roughness, kernel));
     let widened = lobe_ggx_brdf(lobe_anisotropic_pair(wider, p.wo, p.wi));
-    let mean = lobe_ggx_brdf_over(lobe_lobe_shape(lobe_lobe_centered(roughness)), p.wo, p.wi, footprint);
+    let mean = lobe_ggx_brdf_over(lobe_lobe_shape(lobe_lobe_centered(roughness)), p.wo, p.wi, \
+    footprint);
     return vec4f(plain, widened, mean, 0.0) * p.wi.z * p.strength;";
 
 /// The footprint from the quad: u, then v.
@@ -59,7 +60,8 @@ pub(crate) const DEFERRED: &str = "
     let limit = LOBE_KERNEL_ALPHA_SQUARED_LIMIT;
     return vec4f(lobe_fragment_deferred_alpha(p.alpha, p.normal, variance, limit));";
 
-/// Sides of the patch whose coordinates are two components of `wo`: to the right, then to the next row.
+/// Sides of the patch whose coordinates are two components of `wo`: to the right, then to the next
+/// row.
 pub(crate) const PATCH: &str = "
     let place = lobe_fragment_patch(p.wo.xy);
     return vec4f(place.right, place.up);";
@@ -68,7 +70,8 @@ pub(crate) const PATCH: &str = "
 pub(crate) const MATRIX: &str = "
     return sides(by_matrix(p, traces[index_of(at)]));";
 
-/// Of the footprint from the quad and the one from M: root of the squared differences, over that of M's squares.
+/// Of the footprint from the quad and the one from M: root of the squared differences, over that of
+/// M's squares.
 pub(crate) const DIFFERENCE: &str = "
     let quad = sides(lobe_fragment_footprint(lobe_half_vector(p.wo, p.wi)));
     let matrix = sides(by_matrix(p, traces[index_of(at)]));

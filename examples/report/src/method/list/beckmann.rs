@@ -49,7 +49,8 @@ pub(super) fn filters() -> Vec<Method> {
         Filter {
             name: "rectangle",
             source: "Kaplanyan et al. 2016, Eq. 16",
-            note: "Mean over the footprint's bounding rectangle, extents from 0.001 to 1, error functions.",
+            note: "Mean over the footprint's bounding rectangle, extents from 0.001 to 1, error \
+                functions.",
             distribution: Distribution::Beckmann,
             family: Family::Area,
             window: PixelWindow::Box,

@@ -39,7 +39,8 @@ pub(super) fn deferred() -> Vec<Method> {
         form(
             "deferred, rectangle",
             "Kaplanyan et al. 2016, section 5.4",
-            "The quad's average normal in each frame; its rectangle widens each axis, variance 1/4, at most 0.18.",
+            "The quad's average normal in each frame; its rectangle widens each axis, variance \
+                1/4, at most 0.18.",
             quarter,
             Deferred::Rectangle,
         ),

@@ -35,7 +35,8 @@ pub(super) fn widened() -> Vec<Method> {
     let tokuyoshi = forward(
         "Tokuyoshi 2017",
         "Tokuyoshi 2017, Listing 1",
-        "Derivatives on the projected disk used as slopes, variance 1/4, added alpha^2 at most 0.18.",
+        "Derivatives on the projected disk used as slopes, variance 1/4, added alpha^2 at most \
+            0.18.",
         PixelWindow::GaussianQuarter,
         Widening::Tokuyoshi,
     );

@@ -22,7 +22,8 @@ fn plots(figures: &[String]) -> String {
 /// Error over run time.
 pub(super) fn contest(trial: &Trial) -> String {
     let point = |entry: &Entry| [1e-3 * entry.time, entry.errors.rmse];
-    // Of filters without a map's correlation, and with it of slopes, there is the table: they would hide the others.
+    // Of filters without a map's correlation, and with it of slopes, there is the table: they would
+    // hide the others.
     let hides = |name: &str| {
         name.starts_with("without") || (name.starts_with("with ") && name.ends_with("slope"))
     };

@@ -10,7 +10,8 @@ use crate::page::table::significant;
 /// What was looked at.
 fn facts(trial: &Trial) -> String {
     format!(
-        "\u{3b1} {}, {} facets in a pixel, {} pixels; reference of {} samples, error {} of the mean.",
+        "\u{3b1} {}, {} facets in a pixel, {} pixels; reference of {} samples, error {} of the \
+            mean.",
         trial.alpha,
         plain(trial.facets),
         trial.pixels,
@@ -40,8 +41,10 @@ pub(super) fn tube(trial: &Trial) -> String {
         })
     };
     format!(
-        "A tube of {RADIUS} pixels radius, bent to a ring, under two lights; {} RMSE in means: {}; and {}. \
-         Derivatives, of which the paper finds those on the disk nearer: with s_K 0.5 {}, with s_K 1 {}, with the box {}. Time over \
+        "A tube of {RADIUS} pixels radius, bent to a ring, under two lights; {} RMSE in means: \
+            {}; and {}. \
+         Derivatives, of which the paper finds those on the disk nearer: with s_K 0.5 {}, with \
+         s_K 1 {}, with the box {}. Time over \
          that of none: the box {}, mips in software {}.",
         facts(trial),
         scales(trial, [name::HALF, name::ONE, name::NONE]),
@@ -54,7 +57,8 @@ pub(super) fn tube(trial: &Trial) -> String {
     )
 }
 
-/// Errors of s_K 0.5, of 1 and of none: their order, whether it is the paper's, and how surely the first two differ.
+/// Errors of s_K 0.5, of 1 and of none: their order, whether it is the paper's, and how surely the
+/// first two differ.
 fn scales(trial: &Trial, names: [&str; 3]) -> String {
     let [half, one, none] = names.map(|name| trial.rmse(name));
     let published = if half < one && one < none { "as published" } else { "not as published" };
@@ -62,7 +66,8 @@ fn scales(trial: &Trial, names: [&str; 3]) -> String {
     format!("{}, {published}, {nearer}", order(trial, &names))
 }
 
-/// Which of two methods has the smaller error, by how much, and whether that may be chance; as they are called here.
+/// Which of two methods has the smaller error, by how much, and whether that may be chance; as they
+/// are called here.
 fn nearer(trial: &Trial, methods: [&str; 2], called: [&str; 2]) -> String {
     let [one, other] = methods;
     let lead = trial.lead(one, other);
@@ -91,7 +96,8 @@ pub(super) fn sweep(swept: &[Swept]) -> String {
         boxed < half.min(one).min(none)
     });
     format!(
-        "s_K 0.5 is nearer than 1, as published: {}; 1 is nearer: {}; unsure: {}. The unfiltered picture has the largest error in {} cases. The \
+        "s_K 0.5 is nearer than 1, as published: {}; 1 is nearer: {}; unsure: {}. The unfiltered \
+            picture has the largest error in {} cases. The \
          box has the smallest error of the four in {} of {} cases.",
         told(Some(true)),
         told(Some(false)),
@@ -125,8 +131,10 @@ const UNCORRELATED: [&str; 6] = [
 /// Filters on a curved surface with a map.
 pub(super) fn beads(trial: &Trial) -> String {
     format!(
-        "Balls of {RADIUS} pixels radius with wood fibre, {BEAD_TEXELS} texel a pixel in the middle, {ASKEW} degrees askew; {} RMSE \
-         in means, with \u{3c1}: {}; without: {}. The box comes to {} and {}. Derivatives, with \u{3c1} and s_K 0.5: {}, s_K 1: {}.",
+        "Balls of {RADIUS} pixels radius with wood fibre, {BEAD_TEXELS} texel a pixel in the \
+            middle, {ASKEW} degrees askew; {} RMSE \
+         in means, with \u{3c1}: {}; without: {}. The box comes to {} and {}. Derivatives, with \
+         \u{3c1} and s_K 0.5: {}, s_K 1: {}.",
         facts(trial),
         scales(trial, [name::WHOLE_HALF, name::WHOLE_ONE, name::WHOLE_NONE]),
         scales(trial, [name::APART_HALF, name::APART_ONE, name::APART_NONE]),
@@ -142,9 +150,12 @@ pub(super) fn ball(trial: &Trial) -> String {
     let [apart, whole] = [name::APART, name::WHOLE].map(|name| trial.rmse(name));
     let worth = if whole < apart { "less" } else { "more" };
     format!(
-        "A ball with wood fibre, {TEXELS} texels a pixel in the middle, laid on {ASKEW} degrees askew, as along its own axes \
-         fibres have no correlation; {} RMSE in means: {}. With \u{3c1} the error is {} {worth} than without. Filters of half \
-         vectors: {}; and {}; with \u{3c1}, between s_K 0.5 and 1 the nearer is {}, between the box and none {}. 4 samples come to {}, \
+        "A ball with wood fibre, {TEXELS} texels a pixel in the middle, laid on {ASKEW} degrees \
+            askew, as along its own axes \
+         fibres have no correlation; {} RMSE in means: {}. With \u{3c1} the error is {} {worth} \
+         than without. Filters of half \
+         vectors: {}; and {}; with \u{3c1}, between s_K 0.5 and 1 the nearer is {}, between the \
+         box and none {}. 4 samples come to {}, \
          16 to {}.",
         facts(trial),
         order(trial, &[name::MEAN, name::APART, name::WHOLE]),
@@ -165,7 +176,8 @@ pub(super) fn lobes(lobes: &Lobes) -> String {
         shown.map(of).fold(0.0, f64::max)
     };
     format!(
-        "Integrals are within {} of 1, of few facets as of many. Of many the correlation is that which was asked for within {}.",
+        "Integrals are within {} of 1, of few facets as of many. Of many the correlation is that \
+            which was asked for within {}.",
         significant(off(|shown| (shown.integral - 1.0).abs(), false)),
         significant(off(|shown| (shown.found - shown.correlation).abs(), true)),
     )
@@ -179,7 +191,8 @@ pub(super) fn zoom(zoom: &Zoom) -> String {
     };
     let most = zoom.frames.iter().map(gain).fold(0.0, f64::max);
     format!(
-        "From {} facets in a pixel to {}. Near, where half vectors hardly change, the error without a filter is {} times the \
+        "From {} facets in a pixel to {}. Near, where half vectors hardly change, the error \
+            without a filter is {} times the \
          box\u{2019}s; far away {} times, and {} times at most.",
         plain(first.facets),
         plain(last.facets),
@@ -193,7 +206,8 @@ pub(super) fn zoom(zoom: &Zoom) -> String {
 pub(super) fn memory(memory: Memory) -> String {
     let kib = |bytes: usize| significant(bytes as f64 / 1024.0);
     format!(
-        "The published filter takes its dictionary from {} to {} KiB. The library\u{2019}s box needs nothing beyond the cumulative, which \
+        "The published filter takes its dictionary from {} to {} KiB. The library\u{2019}s box \
+            needs nothing beyond the cumulative, which \
          sampling has anyway: {} KiB in f32.",
         kib(memory.published),
         kib(memory.mips),

@@ -1,4 +1,5 @@
-//! Facets on the page: filters on a tube, on beads and a ball with a normal map, correlation, a zoom, memory; the same as text.
+//! Facets on the page: filters on a tube, on beads and a ball with a normal map, correlation, a
+//! zoom, memory; the same as text.
 
 mod charts;
 mod finding;

@@ -44,7 +44,8 @@ fn shown(trial: &Trial, names: &[&str]) -> String {
         format!("<figure>{image}<figcaption>{}</figcaption></figure>\n", escape(name))
     });
     let note = format!(
-        "<p class=\"note\">All under one tone curve, 1 \u{2212} exp(\u{2212}kx) in sRGB: of what is brighter than the mean in the reference, the \
+        "<p class=\"note\">All under one tone curve, 1 \u{2212} exp(\u{2212}kx) in sRGB: of what \
+            is brighter than the mean in the reference, the \
          99th percentile, {} means, is {:.0} % of white.</p>\n",
         significant(tone.bright / trial.mean),
         100.0 * WHITE,
@@ -103,7 +104,9 @@ fn sheet(columns: &[String], rows: &[(String, Vec<String>)]) -> String {
         format!("<tr><th>{}</th>{}</tr>\n", escape(title), cells.collect::<String>())
     });
     format!(
-        "<div class=\"scroll spheres\"><table>\n<thead><tr><th></th>{}</tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n",
+        "<div class=\"scroll \
+            spheres\"><table>\n<thead><tr><th></th>{}</tr></thead>\n<tbody>\n{}</tbody>\n\
+             </table></div>\n",
         heads.collect::<String>(),
         lines.collect::<String>(),
     )

@@ -4,33 +4,51 @@ use crate::facets::{Entry, Filter, Lobes, Memory, Swept, Trial, Zoom};
 use crate::page::axis::plain;
 use crate::page::table::{Line, Table, significant};
 
-pub(super) const FILTERS_NOTE: &str = "RMSE over all pixels on the body: as it is, and in means of the reference; energy: mean over \
-    the reference\u{2019}s. Time: the lobe alone, from directions and derivatives that are there, for both lights. Overhead: over \
-    that of none. The paper\u{2019}s 0.6 to 4.2 % are of whole frames on a GeForce RTX 2080, where a texture unit does what mips \
-    do here in software: of their time nothing follows for a GPU. Dotted: the reference\u{2019}s own error.";
+pub(super) const FILTERS_NOTE: &str = "RMSE over all pixels on the body: as it is, and in means \
+    of the reference; energy: mean over \
+    the reference\u{2019}s. Time: the lobe alone, from directions and derivatives that are there, \
+    for both lights. Overhead: over \
+    that of none. The paper\u{2019}s 0.6 to 4.2 % are of whole frames on a GeForce RTX 2080, \
+    where a texture unit does what mips \
+    do here in software: of their time nothing follows for a GPU. Dotted: the reference\u{2019}s \
+    own error.";
 
-pub(super) const SWEEP_NOTE: &str = "The same tube and lights, references of fewer samples; RMSE in means. Unsure: \
-    by less than two standard errors of the pixels\u{2019} squares. A kernel as wide as s_K 1 blurs highlights that are about as wide as a pixel, and \
+pub(super) const SWEEP_NOTE: &str = "The same tube and lights, references of fewer samples; RMSE \
+    in means. Unsure: \
+    by less than two standard errors of the pixels\u{2019} squares. A kernel as wide as s_K 1 \
+    blurs highlights that are about as wide as a pixel, and \
     evens out facets that s_K 0.5 leaves too lively.";
 
-pub(super) const BEADS_NOTE: &str = "Both kinds of LEAN take the box on the disk. Each pixel in the frame of its mean normal, \
-    in which the map\u{2019}s covariance and the half vector\u{2019}s derivatives are taken. Dotted: the reference\u{2019}s own error.";
+pub(super) const BEADS_NOTE: &str = "Both kinds of LEAN take the box on the disk. Each pixel in \
+    the frame of its mean normal, \
+    in which the map\u{2019}s covariance and the half vector\u{2019}s derivatives are taken. \
+    Dotted: the reference\u{2019}s own error.";
 
-pub(super) const MAPPINGS_NOTE: &str = "Normals with the box on the disk, in the frame of the mean normal; LEAN by probes \
-    along the pixel (Olano & Baker 2010); beside it other filters: where a map spreads the lobe over much more than \
-    half vectors move, they change little. Without \u{3c1} the covariance has no entry off its diagonal, as in Chermain et al. \
-    2020. Samples have the map\u{2019}s own slope. Energy above 1: a lobe shows facets by their projected area, so steep ones that face \
-    the eye larger, where a map\u{2019}s texels all count alike. Dotted: the reference\u{2019}s own error.";
+pub(super) const MAPPINGS_NOTE: &str = "Normals with the box on the disk, in the frame of the \
+    mean normal; LEAN by probes \
+    along the pixel (Olano & Baker 2010); beside it other filters: where a map spreads the lobe \
+    over much more than \
+    half vectors move, they change little. Without \u{3c1} the covariance has no entry off its \
+    diagonal, as in Chermain et al. \
+    2020. Samples have the map\u{2019}s own slope. Energy above 1: a lobe shows facets by their \
+    projected area, so steep ones that face \
+    the eye larger, where a map\u{2019}s texels all count alike. Dotted: the reference\u{2019}s \
+    own error.";
 
-pub(super) const LOBES_NOTE: &str = "Densities of slopes over the plane of slopes, within 4.2 deviations, each under a tone curve of \
+pub(super) const LOBES_NOTE: &str = "Densities of slopes over the plane of slopes, within 4.2 \
+    deviations, each under a tone curve of \
     its own (Fig. 10). Found: the correlation of what is drawn; of few lobes it is their own.";
 
-pub(super) const ZOOM_NOTE: &str = "From step to step the camera is twice as far from one ball with one texture, the last time with all \
-    of it in the picture, so that facets in a pixel get four times as many and half vectors change twice as fast. RMSE in means of references \
+pub(super) const ZOOM_NOTE: &str = "From step to step the camera is twice as far from one ball \
+    with one texture, the last time with all \
+    of it in the picture, so that facets in a pixel get four times as many and half vectors \
+    change twice as fast. RMSE in means of references \
     as above. Both rows under the tone of the filtered picture.";
 
-pub(super) const MEMORY_NOTE: &str = "192 marginals, 16 levels, 64 intervals. Published: half-precision densities; mips take them times \
-    127/64. The paper says 512 KiB with mips, a third more, which is the rule for pictures: of rows, mips take as much again but \
+pub(super) const MEMORY_NOTE: &str = "192 marginals, 16 levels, 64 intervals. Published: \
+    half-precision densities; mips take them times \
+    127/64. The paper says 512 KiB with mips, a third more, which is the rule for pictures: of \
+    rows, mips take as much again but \
     for one texel.";
 
 fn line(cells: Vec<String>) -> Line {

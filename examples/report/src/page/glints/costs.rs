@@ -4,24 +4,36 @@ use crate::glints::{Contest, Glitter, Visited};
 use crate::page::axis::plain;
 use crate::page::table::{Line, Table, significant};
 
-pub(super) const CELLS_NOTE: &str = "The paper tells of 8 cells steep to 64 at most. The default asks no more than 104, dotted, \
-    and leaves nothing out: beyond an aspect of 16 the cells themselves grow. The published shader stops after 18 columns of a \
+pub(super) const CELLS_NOTE: &str = "The paper tells of 8 cells steep to 64 at most. The default \
+    asks no more than 104, dotted, \
+    and leaves nothing out: beyond an aspect of 16 the cells themselves grow. The published \
+    shader stops after 18 columns of a \
     level and 60 cells.";
 
-pub(super) const TIMES_NOTE: &str = "One evaluation of the BRDF in f32; smooth lobe: isotropic Beckmann. Steep: 85 degrees; \
-    limit: pixels 16 times as long as wide. 1000 details in a pixel, half vectors spread as the lobe. Added: what glints take more \
-    than the smooth lobe, over what they take more when steep. The paper, on a GeForce GTX 980 in 1080p, adds 0.9 ms steep and 2.9 \
+pub(super) const TIMES_NOTE: &str = "One evaluation of the BRDF in f32; smooth lobe: isotropic \
+    Beckmann. Steep: 85 degrees; \
+    limit: pixels 16 times as long as wide. 1000 details in a pixel, half vectors spread as the \
+    lobe. Added: what glints take more \
+    than the smooth lobe, over what they take more when steep. The paper, on a GeForce GTX 980 in \
+    1080p, adds 0.9 ms steep and 2.9 \
     ms grazing, 3.2 times as much. What varies does by 1.";
 
-pub(super) const COUNTS_NOTE: &str = "Operations: additions, multiplications, divisions, roots, logarithms and comparisons of \
-    floats, from pixels of aspect 1 and 16 at the pole; integers, so the hashes, are not counted. Instructions: static SPIR-V by \
-    naga before any driver has optimized it, calls written out, loops counted once; arithmetic: without moves, loads, stores and \
-    branches, most of which an optimizer takes away. The paper counts what NVIDIA\u{2019}s compiler made of GLSL for a GTX 980: \
+pub(super) const COUNTS_NOTE: &str = "Operations: additions, multiplications, divisions, roots, \
+    logarithms and comparisons of \
+    floats, from pixels of aspect 1 and 16 at the pole; integers, so the hashes, are not counted. \
+    Instructions: static SPIR-V by \
+    naga before any driver has optimized it, calls written out, loops counted once; arithmetic: \
+    without moves, loads, stores and \
+    branches, most of which an optimizer takes away. The paper counts what NVIDIA\u{2019}s \
+    compiler made of GLSL for a GTX 980: \
     another instruction set, so orders compare, not numbers.";
 
-pub(super) const CONTESTS_NOTE: &str = "Distance: mean difference of the sorted values of as many pixels of each (1-Wasserstein), \
-    in means; below the noise, the distance of two samples of real details, nothing can be seen, and charts show the noise, dotted. \
-    Points: details one by one, in f64; fewer than there are, each brighter, are the line to beat. Snow at the pole under a \
+pub(super) const CONTESTS_NOTE: &str = "Distance: mean difference of the sorted values of as many \
+    pixels of each (1-Wasserstein), \
+    in means; below the noise, the distance of two samples of real details, nothing can be seen, \
+    and charts show the noise, dotted. \
+    Points: details one by one, in f64; fewer than there are, each brighter, are the line to \
+    beat. Snow at the pole under a \
     point light.";
 
 fn line(cells: Vec<String>) -> Line {

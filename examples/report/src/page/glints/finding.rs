@@ -24,8 +24,10 @@ pub(super) fn cells(glints: &Glitter) -> String {
     let lost = ends(glints.visited.iter().filter(|v| v.aspect >= 16.0).map(|v| v.lost[0]));
     let worst = glints.visited.iter().map(|v| v.lost[1]).fold(0.0, f64::max);
     format!(
-        "A square pixel asks {} cells in the mean, one 16 times as long {}, and none more than {}. The published loops see \
-         all of a pixel up to an aspect of {}; from 16 on they leave out {:.0} to {:.0} % of it in the mean, {:.0} % at worst.",
+        "A square pixel asks {} cells in the mean, one 16 times as long {}, and none more than \
+            {}. The published loops see \
+         all of a pixel up to an aspect of {}; from 16 on they leave out {:.0} to {:.0} % of it \
+         in the mean, {:.0} % at worst.",
         significant(square.default[0]),
         significant(long.default[0]),
         plain(most),
@@ -63,10 +65,14 @@ pub(super) fn times(glints: &Glitter) -> String {
     let [first, last] =
         [speed.points.first(), speed.points.last()].map(|p| p.copied().unwrap_or_default());
     format!(
-        "The default takes {} ns steep and {} ns at 10 degrees, where it adds {} times as much to the smooth lobe; published {} \
-         and {} ns, {} times. Time grows with the cells: {}. It does not grow with the details: over ten decades the default \
-         takes {} \u{b5}s steep and {} at the limit, published {} and {}. What varies is the way to draw a number, by inversion \
-         below about 8 and by a quantile above; and of few details there are few cells. Points take {} \u{b5}s for one \
+        "The default takes {} ns steep and {} ns at 10 degrees, where it adds {} times as much to \
+            the smooth lobe; published {} \
+         and {} ns, {} times. Time grows with the cells: {}. It does not grow with the details: \
+         over ten decades the default \
+         takes {} \u{b5}s steep and {} at the limit, published {} and {}. What varies is the way \
+         to draw a number, by inversion \
+         below about 8 and by a quantile above; and of few details there are few cells. Points \
+         take {} \u{b5}s for one \
          detail and {} for {}.",
         default.0,
         default.1,
@@ -90,8 +96,10 @@ pub(super) fn counts(glints: &Glitter) -> String {
     let totals = glints.operations.iter().map(|counted| counted.cell.total());
     let ([all, arithmetic], [_, varied]) = (glints.instructions.cell, glints.instructions.varied);
     format!(
-        "A cell costs {} operations on floats, the most where two ways to draw are blended. It has {all} instructions, {arithmetic} \
-         of them arithmetic; {varied} of these run only where numbers of details vary, as what is drawn from is otherwise found \
+        "A cell costs {} operations on floats, the most where two ways to draw are blended. It \
+            has {all} instructions, {arithmetic} \
+         of them arithmetic; {varied} of these run only where numbers of details vary, as what is \
+         drawn from is otherwise found \
          once for a level. The other {} stand beside the paper\u{2019}s 204.",
         span(totals),
         arithmetic.saturating_sub(varied),
@@ -122,8 +130,10 @@ pub(super) fn means(glints: &Glitter) -> String {
     };
     let gain = glints.gains.iter().max_by(|a, b| a.published.mean.total_cmp(&b.published.mean));
     format!(
-        "The default\u{2019}s mean is that of the smooth lobe: of {} means none is off by more than {} standard errors. The published \
-         one is dark where 1/h_z\u{2074} is cut, {}, and adds a haze under the sun, {}; sizes that vary brighten it up to {} times.",
+        "The default\u{2019}s mean is that of the smooth lobe: of {} means none is off by more \
+            than {} standard errors. The published \
+         one is dark where 1/h_z\u{2074} is cut, {}, and adds a haze under the sun, {}; sizes \
+         that vary brighten it up to {} times.",
         ours.len(),
         significant(off),
         place(lowest),
@@ -160,10 +170,14 @@ pub(super) fn variances(glints: &Glitter) -> String {
     };
     let (square, published) = (of(Model::Default), of(Model::Published).map(significant));
     format!(
-        "A pixel of the default has {} of the variance of real details at aspect 1, {} at 4 and {} at 16, {law}. \
-         Square pixels of many details have {} to {}, by their width: {} to {} times less than if details reflected all or \
-         nothing. Published ones have {} to {}, as normal draws have half their variance there. Off the pole published pixels \
-         are calmer by h_z\u{2074} more: that factor stands in the probability, so that more details reflect, each of them \
+        "A pixel of the default has {} of the variance of real details at aspect 1, {} at 4 and \
+            {} at 16, {law}. \
+         Square pixels of many details have {} to {}, by their width: {} to {} times less than if \
+         details reflected all or \
+         nothing. Published ones have {} to {}, as normal draws have half their variance there. \
+         Off the pole published pixels \
+         are calmer by h_z\u{2074} more: that factor stands in the probability, so that more \
+         details reflect, each of them \
          fainter.",
         over(1.0, default),
         over(4.0, default),
@@ -199,8 +213,10 @@ pub(super) fn contests(glints: &Glitter) -> String {
         Some(contest.points.last()?.time / default.time)
     });
     format!(
-        "With {} details square pixels of the default are distributed {} of the mean from real ones, published {}, the smooth lobe \
-         {}; with four samples {}. Long ones are {} off, published {}, with four samples {}. {} Drawing all points takes {} \
+        "With {} details square pixels of the default are distributed {} of the mean from real \
+            ones, published {}, the smooth lobe \
+         {}; with four samples {}. Long ones are {} off, published {}, with four samples {}. {} \
+         Drawing all points takes {} \
          times as long as the default.",
         details.join(" and "),
         both(false, Model::Default),

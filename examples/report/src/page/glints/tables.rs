@@ -4,15 +4,23 @@ use crate::glints::{ASPECTS, Glitter, HALVES, Judged, Light, Moments};
 use crate::page::axis::plain;
 use crate::page::table::{Line, Table, significant};
 
-pub(super) const MEANS_NOTE: &str = "Above: mean of the pixels over the smooth lobe, minus 1, in %, with its standard error, over \
-    aspects 1, 4 and 16; too rare: a sample met fewer than a hundred details that reflect. The sun appears with a radius of 0.00465. Half vectors in \u{3b1}; of the rough surface they stand 63 and 76 \
-    degrees from the pole. Below: pixels of one cell at the pole, details of a tenth of \u{3b1}; the default\u{2019}s variation ends \
+pub(super) const MEANS_NOTE: &str = "Above: mean of the pixels over the smooth lobe, minus 1, in \
+    %, with its standard error, over \
+    aspects 1, 4 and 16; too rare: a sample met fewer than a hundred details that reflect. The \
+    sun appears with a radius of 0.00465. Half vectors in \u{3b1}; of the rough surface they \
+    stand 63 and 76 \
+    degrees from the pole. Below: pixels of one cell at the pole, details of a tenth of \u{3b1}; \
+    the default\u{2019}s variation ends \
     at 4, the published shader\u{2019}s snow has 100.";
 
-pub(super) const VARIANCES_NOTE: &str = "Variance over the squared mean, point light, over that of real details, whose lobes are \
-    Gaussian; details that reflect all or nothing would vary twice as much (grooves 1.4 times), 1/(nP) of n details. Law: the \
-    default\u{2019}s own, \u{2211} share\u{b2}(1 \u{2212} P)/(nP) over its cells, if levels draw independently, and if cells that \
-    both have draw in proportion. nP: details that reflect in a pixel. \u{2013}: too few reflected to tell; published \
+pub(super) const VARIANCES_NOTE: &str = "Variance over the squared mean, point light, over that \
+    of real details, whose lobes are \
+    Gaussian; details that reflect all or nothing would vary twice as much (grooves 1.4 times), \
+    1/(nP) of n details. Law: the \
+    default\u{2019}s own, \u{2211} share\u{b2}(1 \u{2212} P)/(nP) over its cells, if levels draw \
+    independently, and if cells that \
+    both have draw in proportion. nP: details that reflect in a pixel. \u{2013}: too few \
+    reflected to tell; published \
     0.00: all do, as the probability is cut.";
 
 fn line(cells: Vec<String>) -> Line {
@@ -26,7 +34,8 @@ pub(super) fn kinds(glints: &Glitter, light: Light) -> impl Iterator<Item = Vec<
     (0..count).map(move |k| lit[k * ASPECTS.len()..][..ASPECTS.len()].to_vec())
 }
 
-/// Whether details that reflect were met often enough: of fewer, a sample does not know its own error.
+/// Whether details that reflect were met often enough: of fewer, a sample does not know its own
+/// error.
 pub(super) fn is_sure(kinds: &[&Judged]) -> bool {
     kinds.iter().all(|judged| judged.is_sure())
 }

@@ -28,8 +28,10 @@ pub(super) fn finding(map: &Minified) -> String {
     };
     [
         format!(
-            "From {} to {} texels per pixel plain mips are wrong by {} times the mean radiance, in the end with {} times \
-             the light; Toksvig by {}, LEAN by {}, LEAN with anisotropic lookups by {}, 16 samples by {}.",
+            "From {} to {} texels per pixel plain mips are wrong by {} times the mean radiance, \
+                in the end with {} times \
+             the light; Toksvig by {}, LEAN by {}, LEAN with anisotropic lookups by {}, 16 \
+             samples by {}.",
             RATIOS[0],
             last.ratio,
             span(name::MIPS),
@@ -40,7 +42,8 @@ pub(super) fn finding(map: &Minified) -> String {
             span(name::SIXTEEN),
         ),
         format!(
-            "At {} texels per pixel LEAN\u{2019}s error of {} becomes {} with anisotropic lookups, {} with narrow probes \
+            "At {} texels per pixel LEAN\u{2019}s error of {} becomes {} with anisotropic \
+                lookups, {} with narrow probes \
              and {} with the moments of the pixel\u{2019}s own slopes.",
             middle.ratio,
             significant(middle.rmse(name::LEAN)),
@@ -49,17 +52,24 @@ pub(super) fn finding(map: &Minified) -> String {
             significant(middle.rmse(name::EXACT)),
         ),
         format!(
-            "Seen from {} degrees narrow probes give {} of the light, over the base\u{2019}s visibility {}.",
+            "Seen from {} degrees narrow probes give {} of the light, over the base\u{2019}s \
+                visibility {}.",
             lowest.elevation,
             percent(lowest.energy(name::NARROW)),
             percent(lowest.energy(name::UNMASKED)),
         ),
         format!(
-            "The half vector moves by {} alphas a pixel; its kernel changes LEAN\u{2019}s error by {} at most; the \
-             shading frame\u{2019}s kernel, which counts the map twice, makes it up to {} times as large, and instead of \
+            "The half vector moves by {} alphas a pixel; its kernel changes LEAN\u{2019}s error \
+                by {} at most; the \
+             shading frame\u{2019}s kernel, which counts the map twice, makes it up to {} times \
+             as large, and instead of \
              the covariance {} times.",
             significant(map.motion / map.alpha()),
-            percent((most(name::KERNEL, name::LEAN) - 1.0).abs().max((most(name::LEAN, name::KERNEL) - 1.0).abs())),
+            percent(
+                (most(name::KERNEL, name::LEAN) - 1.0)
+                    .abs()
+                    .max((most(name::LEAN, name::KERNEL) - 1.0).abs())
+            ),
             significant(most(name::TWICE, name::LEAN)),
             significant(most(name::SHADED, name::LEAN)),
         ),

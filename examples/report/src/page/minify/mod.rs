@@ -1,4 +1,5 @@
-//! Minified normal maps on the page: error over texels per pixel, against run time, at grazing angles; pictures.
+//! Minified normal maps on the page: error over texels per pixel, against run time, at grazing
+//! angles; pictures.
 
 mod finding;
 mod tables;
@@ -76,8 +77,10 @@ fn facts(map: &Minified) -> String {
     let [width, height] = map.map;
     let samples = map.panels.iter().map(|panel| panel.reference_samples);
     format!(
-        "{width} x {height} texels, slopes of deviation {} and kurtosis {} (a Gaussian has 3), {} of \
-         them steeper than {STEEPEST} and shortened. {} x {} pixels, view {SWEPT} degrees high and {TURN} off the texture\u{2019}s axes, {}; reference of {} to {} samples \
+        "{width} x {height} texels, slopes of deviation {} and kurtosis {} (a Gaussian has 3), {} \
+            of \
+         them steeper than {STEEPEST} and shortened. {} x {} pixels, view {SWEPT} degrees high \
+         and {TURN} off the texture\u{2019}s axes, {}; reference of {} to {} samples \
          per pixel.",
         significant(map.deviation),
         significant(map.kurtosis),
@@ -152,8 +155,12 @@ fn pictures(map: &Minified) -> String {
         let figures = all.map(|(name, values)| {
             let caption = format!("{name}, {} texels per pixel", panel.ratio);
             format!(
-                "<figure><img alt=\"{}: {caption}\" width=\"{}\" height=\"{}\" src=\"{}\"><figcaption>{caption}</figcaption></figure>\n",
-                escape(&map.name), zoom * map.size.width, zoom * map.size.height, tone.data_url(map.size, &values)
+                "<figure><img alt=\"{}: {caption}\" width=\"{}\" height=\"{}\" \
+                    src=\"{}\"><figcaption>{caption}</figcaption></figure>\n",
+                escape(&map.name),
+                zoom * map.size.width,
+                zoom * map.size.height,
+                tone.data_url(map.size, &values)
             )
         });
         format!("<div class=\"pictures small\">\n{}</div>\n", figures.collect::<Vec<_>>().concat())

@@ -5,7 +5,8 @@ use crate::method::Distribution;
 use crate::minify::{ELEVATIONS, GRAZED, Minified, Panel, Row, SHOWN, methods, name};
 use crate::page::table::{Line, Table, significant};
 
-/// Headings and tables: over the ratio for every distribution and alpha, against run time, over the elevation.
+/// Headings and tables: over the ratio for every distribution and alpha, against run time, over the
+/// elevation.
 pub(super) fn tables(map: &Minified) -> Vec<(String, Table)> {
     let mut alphas: Vec<f64> = map.panels.iter().map(|panel| panel.alpha).collect();
     alphas.dedup();
@@ -28,7 +29,8 @@ pub(super) fn tables(map: &Minified) -> Vec<(String, Table)> {
             tables.push((heading, against_time(panel)));
         }
         let heading = format!(
-            "{}, alpha {}, {GRAZED} texels per pixel across the view: RMSE and energy by its elevation",
+            "{}, alpha {}, {GRAZED} texels per pixel across the view: RMSE and energy by its \
+                elevation",
             distribution.name(),
             map.alpha()
         );
