@@ -2,11 +2,11 @@
 //!
 //! Layer 0.
 
+use super::declaration::declarations;
 use super::error::Error;
 use super::list::OFF;
 use super::module::Module;
 use super::table::Kind;
-use super::text::declarations;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;

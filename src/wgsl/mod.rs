@@ -46,6 +46,7 @@
 //! (`tests/gpu`, which runs every twin).
 
 mod binding;
+mod declaration;
 mod error;
 mod item;
 mod list;

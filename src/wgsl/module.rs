@@ -2,7 +2,7 @@
 //!
 //! Layer 0.
 
-use super::text::{Declaration, declarations, uses};
+use super::declaration::{Declaration, declarations, uses};
 use alloc::collections::BTreeMap;
 use alloc::format;
 use alloc::string::String;

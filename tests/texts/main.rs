@@ -17,8 +17,11 @@ mod link;
 mod translate;
 
 mod documents;
+mod imports;
 mod layers;
 mod modules;
+mod source;
+mod surface;
 mod twins;
 mod wgsl;
 mod wgsl_text;

@@ -1,0 +1,150 @@
+//! The crate's sources as a tree of modules, parsed by `syn`: who imports whom, and what callers see.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use syn::{Attribute, Item, Meta, UseTree, Visibility};
+
+/// A module: the file that has it, and its items.
+pub(crate) struct Module {
+    /// Relative to `src`.
+    pub(crate) file: String,
+    pub(crate) items: Vec<Item>,
+}
+
+/// Modules by their paths, without `crate`: the root is the empty path.
+pub(crate) type Tree = BTreeMap<Vec<String>, Module>;
+
+/// The tree of `src`, tests left out.
+pub(crate) fn tree() -> Tree {
+    let mut tree = Tree::new();
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut open = vec![(Vec::new(), "lib.rs".to_owned())];
+    while let Some((path, file)) = open.pop() {
+        let text = fs::read_to_string(src.join(&file)).unwrap_or_else(|e| panic!("{file}: {e}"));
+        let parsed = syn::parse_file(&text).unwrap_or_else(|error| panic!("{file}: {error}"));
+        let items: Vec<Item> = parsed.items.into_iter().filter(|item| !is_test(item)).collect();
+        // Modules of `mod.rs` and of `lib.rs` lie beside them, those of another file below it.
+        let beside = file.strip_suffix("mod.rs").or(file.strip_suffix("lib.rs"));
+        let home = beside.map_or_else(|| file.replace(".rs", "/"), str::to_owned);
+        for item in &items {
+            if let Item::Mod(module) = item
+                && module.content.is_none()
+            {
+                let name = module.ident.to_string();
+                let places = [format!("{home}{name}.rs"), format!("{home}{name}/mod.rs")];
+                let found = places.into_iter().find(|place| src.join(place).exists());
+                let below = [path.as_slice(), &[name]].concat();
+                open.push((below, found.expect("a file of the module")));
+            }
+        }
+        tree.insert(path, Module { file, items });
+    }
+    tree
+}
+
+/// The attributes of an item that `use` or a name may refer to.
+pub(crate) fn attributes(item: &Item) -> &[Attribute] {
+    match item {
+        Item::Const(item) => &item.attrs,
+        Item::Enum(item) => &item.attrs,
+        Item::Fn(item) => &item.attrs,
+        Item::Impl(item) => &item.attrs,
+        Item::Macro(item) => &item.attrs,
+        Item::Mod(item) => &item.attrs,
+        Item::Struct(item) => &item.attrs,
+        Item::Trait(item) => &item.attrs,
+        Item::Type(item) => &item.attrs,
+        Item::Use(item) => &item.attrs,
+        _ => &[],
+    }
+}
+
+fn is_test(item: &Item) -> bool {
+    attributes(item).iter().any(|attribute| match &attribute.meta {
+        Meta::List(list) => ["test", "doctest"].contains(&list.tokens.to_string().as_str()),
+        _ => false,
+    })
+}
+
+/// The name and the visibility of an item that has both.
+pub(crate) fn named(item: &Item) -> Option<(String, &Visibility)> {
+    let (ident, visibility) = match item {
+        Item::Const(item) => (&item.ident, &item.vis),
+        Item::Enum(item) => (&item.ident, &item.vis),
+        Item::Fn(item) => (&item.sig.ident, &item.vis),
+        Item::Mod(item) => (&item.ident, &item.vis),
+        Item::Struct(item) => (&item.ident, &item.vis),
+        Item::Trait(item) => (&item.ident, &item.vis),
+        Item::Type(item) => (&item.ident, &item.vis),
+        _ => return None,
+    };
+    Some((ident.to_string(), visibility))
+}
+
+/// The paths that a `use` names, from the root, each with the name that it gives.
+pub(crate) fn used(tree: &UseTree, home: &[String]) -> Vec<(Vec<String>, String)> {
+    fn walk(tree: &UseTree, path: &[String], found: &mut Vec<(Vec<String>, String)>) {
+        match tree {
+            UseTree::Path(part) => {
+                walk(&part.tree, &[path, &[part.ident.to_string()]].concat(), found);
+            }
+            UseTree::Group(group) => group.items.iter().for_each(|item| walk(item, path, found)),
+            UseTree::Name(name) if name.ident == "self" => {
+                found.push((path.to_vec(), path.last().cloned().unwrap_or_default()));
+            }
+            UseTree::Name(name) => {
+                let name = name.ident.to_string();
+                found.push(([path, &[name.clone()]].concat(), name));
+            }
+            UseTree::Rename(part) => {
+                let path = [path, &[part.ident.to_string()]].concat();
+                found.push((path, part.rename.to_string()));
+            }
+            UseTree::Glob(_) => {}
+        }
+    }
+    let mut found = Vec::new();
+    walk(tree, &[], &mut found);
+    for (path, _) in &mut found {
+        *path = absolute(path, home);
+    }
+    found
+}
+
+/// A path from the root: `crate`, `super` and `self` resolved, others as children of `home`.
+fn absolute(path: &[String], home: &[String]) -> Vec<String> {
+    let mut base = home.to_vec();
+    let mut rest = path;
+    while let Some((first, after)) = rest.split_first() {
+        match first.as_str() {
+            "crate" => base.clear(),
+            "super" => drop(base.pop()),
+            "self" => {}
+            _ => break,
+        }
+        rest = after;
+    }
+    base.extend_from_slice(rest);
+    base
+}
+
+/// Where an item is defined, through any number of re-exports: the path of its module, and its name.
+pub(crate) fn defined(tree: &Tree, path: &[String]) -> Option<(Vec<String>, String)> {
+    let (name, home) = path.split_last()?;
+    let module = tree.get(home)?;
+    let has = |item: &Item| match item {
+        Item::Macro(made) => made.mac.tokens.to_string().contains(&format!("enum {name} ")),
+        _ => named(item).is_some_and(|(own, _)| own == *name),
+    };
+    if module.items.iter().any(|item| !matches!(item, Item::Mod(_)) && has(item)) {
+        return Some((home.to_vec(), name.clone()));
+    }
+    let uses = module.items.iter().filter_map(|item| match item {
+        Item::Use(item) => Some(&item.tree),
+        _ => None,
+    });
+    let found = uses.flat_map(|tree| used(tree, home)).find(|(_, given)| given == name);
+    let (path, _) = found.filter(|(from, _)| from != path)?;
+    defined(tree, &path)
+}
