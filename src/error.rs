@@ -95,7 +95,7 @@ macro_rules! errors {
 
         impl Error {
             /// Name, value and range of a number that is outside of it.
-            fn number(&self) -> Option<(&'static str, Value, &'static str)> {
+            const fn number(&self) -> Option<(&'static str, Value, &'static str)> {
                 match *self {
                     $(Self::$number(value) => Some(($name, value, $range)),)*
                     _ => None,
@@ -184,7 +184,7 @@ errors! {
 
 /// Refuses a slice whose length is not that of the slice beside it.
 #[inline]
-pub(crate) fn same_length(expected: usize, found: usize) -> Result<(), Error> {
+pub(crate) const fn same_length(expected: usize, found: usize) -> Result<(), Error> {
     if found == expected { Ok(()) } else { Err(Error::Length { expected, found }) }
 }
 

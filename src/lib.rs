@@ -131,6 +131,7 @@ mod error;
 pub mod filter;
 pub mod material;
 pub mod ndf;
+pub mod prelude;
 mod scalar;
 pub mod shade;
 pub mod slope;

@@ -81,7 +81,7 @@ impl Engine {
     ];
 
     /// The engine's name.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Filament => "Filament",
             Self::UnityHdrp => "Unity HDRP",
@@ -95,7 +95,7 @@ impl Engine {
 
     /// What the engine computes, in its own terms: r is perceptual roughness, t the squared
     /// derivatives' sum.
-    pub fn formula(self) -> &'static str {
+    pub const fn formula(self) -> &'static str {
         match self {
             Self::Filament => "alpha^2 + min(2 0.15 t, 0.2^2)",
             Self::UnityHdrp => "alpha^2 + min(2 0.1 t, 0.2^2)",
@@ -121,7 +121,7 @@ impl Engine {
     }
 
     /// Which normal the engine differentiates: the geometry's, or the shading normal after its map.
-    pub fn normal(self) -> &'static str {
+    pub const fn normal(self) -> &'static str {
         match self {
             Self::Filament | Self::UnityHdrp | Self::ThreeJs => "geometry",
             Self::Godot | Self::O3de | Self::BabylonJs | Self::BevyProposal => "shading",
@@ -129,7 +129,7 @@ impl Engine {
     }
 
     /// What is wrong or left unsaid.
-    pub fn shortcoming(self) -> &'static str {
+    pub const fn shortcoming(self) -> &'static str {
         match self {
             Self::Filament => {
                 "right space; the threshold is squared, so that it stops at a fifth of the \

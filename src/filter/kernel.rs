@@ -3,8 +3,8 @@
 //! Layer 3. The same citation hides factors from 0.159 to 0.5 in shipped code, because the filter's
 //! variance is left unsaid. Here it has a name.
 
-use crate::error::Error;
-use crate::scalar::{Eigen, Internal, Psd, Real};
+use crate::error::{Error, Value};
+use crate::scalar::{Eigen, Psd, Real};
 use crate::slope::Footprint;
 use core::ops::Add;
 
@@ -44,16 +44,26 @@ impl PixelFilter {
     ///
     /// # Errors
     /// [`Error::Variance`] unless in $[0, 10^9]$.
-    pub fn with_variance(variance: f64) -> Result<Self, Error> {
-        if variance.is_magnitude() {
+    ///
+    /// ```
+    /// use lobe::PixelFilter;
+    /// // Constant evaluation refuses what the constructor refuses.
+    /// const TENT: PixelFilter = match PixelFilter::with_variance(1.0 / 6.0) {
+    ///     Ok(filter) => filter,
+    ///     Err(_) => panic!("in range"),
+    /// };
+    /// assert_eq!(TENT.variance(), 2.0 * PixelFilter::BOX.variance());
+    /// ```
+    pub const fn with_variance(variance: f64) -> Result<Self, Error> {
+        if variance >= 0.0 && variance <= 1e9 {
             Ok(Self { variance })
         } else {
-            Err(Error::Variance(variance.into()))
+            Err(Error::Variance(Value::new(variance)))
         }
     }
 
     /// The variance in squared pixels.
-    pub fn variance(self) -> f64 {
+    pub const fn variance(self) -> f64 {
         self.variance
     }
 }
@@ -72,6 +82,7 @@ impl PixelFilter {
 /// let [xx, xy, yy] = Kernel::of(&footprint, PixelFilter::KAPLANYAN).covariance().entries();
 /// assert!((xx - 0.005).abs() < 1e-15 && xy == 0.0 && yy == 0.0);
 /// ```
+// Further methods: filter/projected.rs.
 #[doc(alias = "Sigma_K")]
 #[doc(alias = "LobeKernel")]
 #[doc(alias = "lobe_kernel_add")]
@@ -102,13 +113,13 @@ impl<R: Real> Kernel<R> {
     /// A kernel of this covariance: an area light, a depth of field, a normal map's spread.
     #[doc(alias = "lobe_kernel_from_covariance")]
     #[inline]
-    pub fn from_covariance(covariance: Psd<R>) -> Self {
+    pub const fn from_covariance(covariance: Psd<R>) -> Self {
         Self { covariance }
     }
 
     /// The covariance $\Sigma_K$.
     #[inline]
-    pub fn covariance(&self) -> Psd<R> {
+    pub const fn covariance(&self) -> Psd<R> {
         self.covariance
     }
 

@@ -148,7 +148,7 @@ impl VmfWidening {
     pub const SPECULAR_AA: Self = Self { gain: 2.0 };
 
     /// What is divided by $\kappa$ and added to alpha^2.
-    pub fn gain(self) -> f64 {
+    pub const fn gain(self) -> f64 {
         self.gain
     }
 

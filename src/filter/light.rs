@@ -75,12 +75,12 @@ impl<R: Real> SphericalGaussian<R> {
     }
 
     /// The unit direction of the brightest point.
-    pub fn direction(&self) -> [R; 3] {
+    pub const fn direction(&self) -> [R; 3] {
         self.direction
     }
 
     /// The sharpness lambda.
-    pub fn sharpness(&self) -> R {
+    pub const fn sharpness(&self) -> R {
         self.sharpness
     }
 

@@ -94,7 +94,7 @@ impl<R: Real> DiskKernel<R> {
     /// assert_eq!(narrowed, Kernel::tokuyoshi_forward(u, v));
     /// ```
     #[inline]
-    pub fn as_slopes(&self) -> Kernel<R> {
+    pub const fn as_slopes(&self) -> Kernel<R> {
         self.as_slopes
     }
 }

@@ -29,7 +29,7 @@ enum Term<R> {
 impl<R: Real> Fresnel<R> {
     /// Reflectance 1 at every angle: a white furnace, or a Fresnel term applied elsewhere.
     #[inline]
-    pub fn white() -> Self {
+    pub const fn white() -> Self {
         Self { term: Term::Schlick { normal: [R::ONE; 3] } }
     }
 

@@ -5,7 +5,7 @@
 
 use crate::scalar::Real;
 use crate::scalar::exact::two_sum;
-use crate::slope::LobeShape;
+use crate::slope::{Anisotropic, Lobe, LobeShape, NonCentered};
 use core::marker::PhantomData;
 
 mod sealed {
@@ -56,6 +56,7 @@ fn inverse_pi<R: Real>() -> R {
 /// below the horizon of the mean plane, and for a mirror, densities are 0. Finite input in the
 /// documented domain (alpha 0 or 1e-9 to 1e9, slopes and means to 1e9 in f32) never gives NaN or
 /// infinity.
+// Further methods: ndf/masking.rs, ndf/beckmann.rs, filter/polygon/tree.rs, filter/polygon/brdf.rs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ndf<D, S> {
     shape: S,
@@ -65,13 +66,13 @@ pub struct Ndf<D, S> {
 impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     /// The distribution over this shape.
     #[inline(always)]
-    pub fn new(shape: S) -> Self {
+    pub const fn new(shape: S) -> Self {
         Self { shape, distribution: PhantomData }
     }
 
     /// The shape.
     #[inline(always)]
-    pub fn shape(&self) -> &S {
+    pub const fn shape(&self) -> &S {
         &self.shape
     }
 
@@ -203,5 +204,19 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
         let (value, z) = self.half_density(wo, wi, weight);
         let limit = if area.min(z) > S::Scalar::ZERO { S::Scalar::MAX } else { S::Scalar::ZERO };
         value.max(S::Scalar::ZERO).min(limit)
+    }
+}
+
+/// The distribution over a shape: [`Ndf::new`].
+impl<D: Distribution, S: LobeShape> From<S> for Ndf<D, S> {
+    fn from(shape: S) -> Self {
+        Self::new(shape)
+    }
+}
+
+/// The distribution over the shape of a lobe: [`Lobe::shape`].
+impl<D: Distribution, R: Real> From<Lobe<R>> for Ndf<D, NonCentered<Anisotropic<R>>> {
+    fn from(lobe: Lobe<R>) -> Self {
+        Self::new(lobe.shape())
     }
 }

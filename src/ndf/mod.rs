@@ -23,6 +23,9 @@ pub type Beckmann<S> = Ndf<BeckmannDistribution, S>;
 
 /// GGX (Trowbridge-Reitz) over a shape: Student-t slopes with two degrees of freedom.
 ///
+/// The means over what a pixel covers, [`Ndf::parallelogram_mean`] and [`Ndf::brdf_over`], are
+/// implemented in `filter/polygon`.
+///
 /// ```
 /// use lobe::{Ggx, Isotropic};
 /// let ndf = Ggx::new(Isotropic::new(0.25_f32)?);

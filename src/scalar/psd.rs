@@ -75,7 +75,7 @@ impl<R: Real> Psd<R> {
     /// The matrix with these entries, `xx`, `xy`, `yy`, whose determinant is known better than they
     /// tell it.
     #[inline(always)]
-    pub(crate) fn with_root_det([xx, xy, yy]: [R; 3], root_det: R) -> Self {
+    pub(crate) const fn with_root_det([xx, xy, yy]: [R; 3], root_det: R) -> Self {
         Self { xx, xy, yy, root_det }
     }
 
@@ -100,8 +100,8 @@ impl<R: Real> Psd<R> {
     }
 
     /// The zero matrix.
-    pub fn zero() -> Self {
-        Self::default()
+    pub const fn zero() -> Self {
+        Self { xx: R::ZERO, xy: R::ZERO, yy: R::ZERO, root_det: R::ZERO }
     }
 
     /// `diag(x^2, y^2)` turned by an angle given as cosine and sine: the square of a scaling
@@ -143,7 +143,7 @@ impl<R: Real> Psd<R> {
 
     /// The entries `xx`, `xy`, `yy`.
     #[inline]
-    pub fn entries(&self) -> [R; 3] {
+    pub const fn entries(&self) -> [R; 3] {
         [self.xx, self.xy, self.yy]
     }
 
@@ -156,7 +156,7 @@ impl<R: Real> Psd<R> {
 
     /// Square root of the determinant: the area scale of the ellipse.
     #[inline(always)]
-    pub fn root_det(&self) -> R {
+    pub const fn root_det(&self) -> R {
         self.root_det
     }
 

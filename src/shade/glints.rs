@@ -64,7 +64,7 @@ pub struct GlintShading<R: Real> {
 
 impl<R: Real> GlintShading<R> {
     /// The density under the pixel.
-    pub fn ndf(&self) -> &GlintNdf<R> {
+    pub const fn ndf(&self) -> &GlintNdf<R> {
         &self.ndf
     }
 

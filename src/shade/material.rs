@@ -41,7 +41,7 @@ pub struct Material<D, R> {
 
 impl<R: Real> Material<GgxDistribution, R> {
     /// A GGX material.
-    pub fn ggx(lobe: Lobe<R>, fresnel: Fresnel<R>) -> Self {
+    pub const fn ggx(lobe: Lobe<R>, fresnel: Fresnel<R>) -> Self {
         Self { lobe, fresnel, distribution: PhantomData }
     }
 }
@@ -56,7 +56,7 @@ impl<R: Real> Material<BeckmannDistribution, R> {
     /// assert_eq!(shading.evaluate([0.0, 0.0, 1.0], [0.6, 0.0, -0.8]), [0.0; 3]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    pub fn beckmann(lobe: Lobe<R>, fresnel: Fresnel<R>) -> Self {
+    pub const fn beckmann(lobe: Lobe<R>, fresnel: Fresnel<R>) -> Self {
         Self { lobe, fresnel, distribution: PhantomData }
     }
 }
@@ -95,7 +95,7 @@ impl<D: Distribution, R: Real> Shading<D, R> {
 
     /// The distribution underneath.
     #[inline]
-    pub fn ndf(&self) -> &Ndf<D, NonCentered<Anisotropic<R>>> {
+    pub const fn ndf(&self) -> &Ndf<D, NonCentered<Anisotropic<R>>> {
         &self.ndf
     }
 

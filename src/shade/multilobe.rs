@@ -71,12 +71,12 @@ pub struct MultiLobeShading<'a, R: Real> {
 
 impl<'a, R: Real> MultiLobeShading<'a, R> {
     /// The lobe underneath, in the frame of the mean.
-    pub fn ndf(&self) -> &PatchNdf<'a, R> {
+    pub const fn ndf(&self) -> &PatchNdf<'a, R> {
         &self.ndf
     }
 
     /// The frame that it is shaded in.
-    pub fn frame(&self) -> &MeanFrame<R> {
+    pub const fn frame(&self) -> &MeanFrame<R> {
         &self.frame
     }
 

@@ -21,6 +21,7 @@ use core::ops::{Mul, Sub};
 /// let footprint = Footprint::from_slopes([0.02_f32, 0.0], [0.01, 0.03]);
 /// assert_eq!(footprint.extents(), [0.03, 0.03]);
 /// ```
+// Further methods: slope/motion.rs.
 #[doc(alias = "LobeFootprint")]
 #[doc(alias = "lobe_footprint_mul")]
 #[doc(alias = "lobe_footprint_sub")]

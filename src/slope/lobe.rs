@@ -3,10 +3,10 @@
 //! Layer 1. Upstream (footprints, normal maps, displacement) everything ends in a mean slope and a
 //! roughness; downstream (distributions, masking, shading) nothing else is asked for.
 
+use super::anisotropic::Anisotropic;
 use super::direction::checked_slope;
 use super::non_centered::NonCentered;
 use super::roughness::Roughness;
-use super::shape::Anisotropic;
 use crate::error::Error;
 use crate::scalar::Real;
 
@@ -19,6 +19,7 @@ use crate::scalar::Real;
 /// assert!(ndf.slope_pdf([0.1, 0.0]) > ndf.slope_pdf([0.0, 0.0]));
 /// # Ok::<(), lobe::Error>(())
 /// ```
+// Further methods: filter/gaussian.rs.
 #[doc(alias = "LobeLobe")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lobe<R> {
@@ -38,28 +39,28 @@ impl<R: Real> Lobe<R> {
 
     /// A lobe around the normal.
     #[doc(alias = "lobe_lobe_centered")]
-    pub fn centered(roughness: Roughness<R>) -> Self {
+    pub const fn centered(roughness: Roughness<R>) -> Self {
         Self { mean: [R::ZERO; 2], roughness }
     }
 
     /// The mean slope.
-    pub fn mean(&self) -> [R; 2] {
+    pub const fn mean(&self) -> [R; 2] {
         self.mean
     }
 
     /// The roughness.
-    pub fn roughness(&self) -> Roughness<R> {
+    pub const fn roughness(&self) -> Roughness<R> {
         self.roughness
     }
 
     /// The same mean with another roughness.
     #[must_use]
-    pub fn with_roughness(&self, roughness: Roughness<R>) -> Self {
+    pub const fn with_roughness(&self, roughness: Roughness<R>) -> Self {
         Self { roughness, ..*self }
     }
 
     /// The same roughness around a mean that is known to be valid.
-    pub(crate) fn with_mean(self, mean: [R; 2]) -> Self {
+    pub(crate) const fn with_mean(self, mean: [R; 2]) -> Self {
         Self { mean, ..self }
     }
 
@@ -67,5 +68,28 @@ impl<R: Real> Lobe<R> {
     #[doc(alias = "lobe_lobe_shape")]
     pub fn shape(&self) -> NonCentered<Anisotropic<R>> {
         NonCentered::unchecked(Anisotropic::new(self.roughness), self.mean)
+    }
+}
+
+/// The centered lobe of a roughness: [`Lobe::centered`].
+impl<R: Real> From<Roughness<R>> for Lobe<R> {
+    fn from(roughness: Roughness<R>) -> Self {
+        Self::centered(roughness)
+    }
+}
+
+/// What distributions take: [`Lobe::shape`].
+///
+/// ```
+/// use lobe::{Anisotropic, Ggx, Lobe, NonCentered, Roughness};
+/// let lobe = Lobe::new([0.2_f32, 0.0], Roughness::from_alpha(0.1)?)?;
+/// let shape: NonCentered<Anisotropic<f32>> = lobe.into();
+/// assert_eq!(shape, lobe.shape());
+/// assert_eq!(Ggx::from(lobe), Ggx::new(lobe.shape()));
+/// # Ok::<(), lobe::Error>(())
+/// ```
+impl<R: Real> From<Lobe<R>> for NonCentered<Anisotropic<R>> {
+    fn from(lobe: Lobe<R>) -> Self {
+        lobe.shape()
     }
 }

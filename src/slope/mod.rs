@@ -1,6 +1,7 @@
 //! What the words mean: directions, slopes, roughness, shapes, footprints, moments, lobes.
 
 mod algebra;
+mod anisotropic;
 pub mod direction;
 mod footprint;
 pub mod jacobian;
@@ -14,6 +15,7 @@ pub mod ray;
 mod roughness;
 mod shape;
 
+pub use anisotropic::Anisotropic;
 pub use footprint::Footprint;
 pub use lobe::Lobe;
 pub use mean_frame::MeanFrame;
@@ -22,4 +24,4 @@ pub use motion::Motion;
 pub use non_centered::NonCentered;
 pub use path::{Path, Vertex};
 pub use roughness::{Alphas, Roughness};
-pub use shape::{Anisotropic, AxisAligned, Isotropic, LobeShape};
+pub use shape::{AxisAligned, Isotropic, LobeShape};

@@ -22,6 +22,7 @@ use crate::scalar::{Psd, Real};
 /// assert!((lobe.roughness().alphas().major - (0.0025_f64 + 0.02).sqrt()).abs() < 1e-15);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+// Further methods: slope/algebra.rs, material/lean/storage.rs.
 #[doc(alias = "LobeSlopeMoments")]
 #[doc(alias = "lobe_slope_moments_add")]
 #[doc(alias = "lobe_slope_moments_mul")]
@@ -43,7 +44,7 @@ impl<R: Real> SlopeMoments<R> {
 
     /// The same of a mean and a covariance that are known to be in range.
     #[inline]
-    pub(crate) fn unchecked(mean: [R; 2], covariance: Psd<R>) -> Self {
+    pub(crate) const fn unchecked(mean: [R; 2], covariance: Psd<R>) -> Self {
         Self { mean, covariance }
     }
 
@@ -92,12 +93,12 @@ impl<R: Real> SlopeMoments<R> {
     }
 
     /// The mean slope.
-    pub fn mean(&self) -> [R; 2] {
+    pub const fn mean(&self) -> [R; 2] {
         self.mean
     }
 
     /// The covariance of the slopes.
-    pub fn covariance(&self) -> Psd<R> {
+    pub const fn covariance(&self) -> Psd<R> {
         self.covariance
     }
 

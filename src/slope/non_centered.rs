@@ -36,7 +36,7 @@ impl<S: LobeShape> NonCentered<S> {
     }
 
     /// The same for a mean that is known to be valid.
-    pub(crate) fn unchecked(shape: S, mean: [S::Scalar; 2]) -> Self {
+    pub(crate) const fn unchecked(shape: S, mean: [S::Scalar; 2]) -> Self {
         Self { shape, mean }
     }
 }

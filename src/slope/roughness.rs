@@ -29,6 +29,7 @@ use core::ops::Add;
 /// }
 /// # Ok::<(), lobe::Error>(())
 /// ```
+// Further methods: filter/gaussian.rs, filter/projected.rs, filter/proxy.rs.
 #[doc(alias = "LobeRoughness")]
 #[doc(alias = "lobe_roughness_add")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -94,7 +95,7 @@ impl<R: Real> Roughness<R> {
     /// From a roughness matrix.
     #[doc(alias = "lobe_roughness_from_matrix")]
     #[inline]
-    pub fn from_matrix(matrix: Psd<R>) -> Self {
+    pub const fn from_matrix(matrix: Psd<R>) -> Self {
         Self { matrix }
     }
 
@@ -123,7 +124,7 @@ impl<R: Real> Roughness<R> {
     /// The matrix A.
     #[doc(alias = "A")]
     #[inline]
-    pub fn matrix(&self) -> Psd<R> {
+    pub const fn matrix(&self) -> Psd<R> {
         self.matrix
     }
 

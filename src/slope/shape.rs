@@ -8,8 +8,7 @@
 
 use super::roughness::Roughness;
 use crate::error::Error;
-use crate::scalar::Real;
-use crate::scalar::exact::{difference_of_products, sum_of_products};
+use crate::scalar::{Psd, Real};
 
 /// The questions that a distribution and its filters ask.
 ///
@@ -81,7 +80,7 @@ pub struct Isotropic<R> {
 impl<R: Real> Isotropic<R> {
     /// alpha = 1: slopes in units of the lobe.
     #[inline(always)]
-    pub(crate) fn unit() -> Self {
+    pub(crate) const fn unit() -> Self {
         Self { alpha: R::ONE }
     }
 
@@ -100,6 +99,13 @@ impl<R: Real> Isotropic<R> {
     #[inline]
     pub fn new(alpha: R) -> Result<Self, Error> {
         if alpha.is_magnitude() { Ok(Self { alpha }) } else { Err(Error::Alpha(alpha.into())) }
+    }
+}
+
+/// $\alpha^2 I$.
+impl<R: Real> From<Isotropic<R>> for Roughness<R> {
+    fn from(shape: Isotropic<R>) -> Self {
+        Self::from_matrix(Psd::from_axes(shape.alpha, shape.alpha, R::ONE, R::ZERO))
     }
 }
 
@@ -173,6 +179,21 @@ impl<R: Real> AxisAligned<R> {
     }
 }
 
+/// $\mathrm{diag}(\alpha_x^2, \alpha_y^2)$.
+///
+/// ```
+/// use lobe::{AxisAligned, Roughness};
+/// let roughness = Roughness::from(AxisAligned::new(0.5_f64, 0.1)?);
+/// assert_eq!(roughness, Roughness::from_alphas(0.5, 0.1, 0.0)?);
+/// # Ok::<(), lobe::Error>(())
+/// ```
+impl<R: Real> From<AxisAligned<R>> for Roughness<R> {
+    fn from(shape: AxisAligned<R>) -> Self {
+        let [x, y] = shape.alphas;
+        Self::from_matrix(Psd::from_axes(x, y, R::ONE, R::ZERO))
+    }
+}
+
 impl<R: Real> LobeShape for AxisAligned<R> {
     type Scalar = R;
     const CENTERED: bool = true;
@@ -203,114 +224,6 @@ impl<R: Real> LobeShape for AxisAligned<R> {
     fn stretch_squared(&self, w: [R; 3]) -> R {
         let (x, y) = (self.alphas[0] * w[0], self.alphas[1] * w[1]);
         x * x + y * y
-    }
-    #[inline(always)]
-    fn mean_area(&self, w: [R; 3]) -> R {
-        w[2]
-    }
-}
-
-/// Any A, centered.
-///
-/// The form is a sum of squares, $n = v_x^2 \sqrt{\det A}/a_{xx} + t^2 a_{xx}/\sqrt{\det A}$ with
-/// $t = v_y - v_x a_{xy}/a_{xx}$ from one compensated product: the textbook
-/// $a_{yy} v_x^2 - 2 a_{xy} v_x v_y + a_{xx} v_y^2$ loses four digits at rho = 0.9999.
-#[doc(alias = "LobeAnisotropic")]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Anisotropic<R> {
-    xx: R,
-    xy: R,
-    root_det: R,
-    inverse_xx: R,
-    along: R,
-    across: R,
-    /// det A / a_xx: what the stretch has left across the first row; a_yy where a_xx is 0.
-    schur: R,
-}
-
-impl<R: Real> Anisotropic<R> {
-    /// From a roughness; precomputes what evaluation needs.
-    ///
-    /// ```
-    /// use lobe::{Anisotropic, Ggx, Roughness};
-    /// let ggx = Ggx::new(Anisotropic::new(Roughness::from_alphas(0.5_f64, 0.05, 0.7)?));
-    /// assert!(ggx.slope_pdf([0.1, 0.1]) > 0.0);
-    /// # Ok::<(), lobe::Error>(())
-    /// ```
-    #[doc(alias = "lobe_anisotropic_new")]
-    #[inline]
-    pub fn new(roughness: Roughness<R>) -> Self {
-        let matrix = roughness.matrix();
-        let [xx, xy, yy] = matrix.entries();
-        let (zero, least) = (R::ZERO, R::MIN_POSITIVE);
-        // Selects instead of branches: loops over samples stay free of jumps.
-        let root_det = if matrix.is_singular() { zero } else { matrix.root_det() };
-        let flat = xx < least;
-        let inverse = R::ONE / xx.max(least);
-        let along = root_det * inverse;
-        Self {
-            xx,
-            xy,
-            root_det,
-            inverse_xx: if flat { zero } else { inverse },
-            along,
-            across: (xx / root_det.max(least)).min(R::MAX),
-            schur: if flat { yy } else { root_det * along },
-        }
-    }
-}
-
-impl<R: Real> From<Roughness<R>> for Anisotropic<R> {
-    fn from(roughness: Roughness<R>) -> Self {
-        Self::new(roughness)
-    }
-}
-
-impl<R: Real> LobeShape for Anisotropic<R> {
-    type Scalar = R;
-    const CENTERED: bool = true;
-
-    #[inline(always)]
-    fn root_det(&self) -> R {
-        self.root_det
-    }
-    #[inline(always)]
-    fn form(&self, m: [R; 3], m_low: [R; 3]) -> R {
-        let low = self.xx * m_low[1] - self.xy * m_low[0];
-        let u = difference_of_products(self.xx, m[1], self.xy, m[0]) + low;
-        let t = u * self.inverse_xx;
-        m[0] * m[0] * self.along + t * t * self.across
-    }
-    #[inline(always)]
-    fn offset(&self, slope: [R; 2]) -> ([R; 2], [R; 2]) {
-        (slope, [R::ZERO; 2])
-    }
-    #[inline(always)]
-    fn whiten(&self, v: [R; 2], v_low: [R; 2]) -> [R; 2] {
-        let low = self.xx * v_low[1] - self.xy * v_low[0];
-        let u = difference_of_products(self.xx, v[1], self.xy, v[0]) + low;
-        let l11 = self.xx.sqrt();
-        [(v[0] + v_low[0]) / l11, u * self.inverse_xx * l11 / self.root_det]
-    }
-    /// From the row with the larger diagonal entry, $(x, y)$ with $x$ that entry: $\alpha^2 =
-    /// (x^2 + y^2)/x$.
-    #[inline(always)]
-    fn major(&self) -> ([R; 2], R) {
-        let yy = self.xy * (self.xy * self.inverse_xx) + self.schur;
-        let swap = yy > self.xx;
-        let large = if swap { yy } else { self.xx };
-        let ratio = self.xy / large.max(R::MIN_POSITIVE);
-        let square = R::ONE + ratio * ratio;
-        let inverse = R::ONE / square.sqrt();
-        let (along, across) = (inverse, ratio * inverse);
-        let axis = if swap { [across, along] } else { [along, across] };
-        (axis, (large * square).sqrt())
-    }
-    #[inline(always)]
-    fn stretch_squared(&self, w: [R; 3]) -> R {
-        let u = sum_of_products(self.xx, w[0], self.xy, w[1]);
-        // In this order a column of float noise does not underflow.
-        u * (u * self.inverse_xx) + self.schur * w[1] * w[1]
     }
     #[inline(always)]
     fn mean_area(&self, w: [R; 3]) -> R {

@@ -109,6 +109,7 @@ items! {
     AxisAlignedNormal: fn "axis_aligned_normal";
     AxisAlignedView: fn "axis_aligned_view";
     AxisAlignedPair: fn "axis_aligned_pair";
+    SlopeShape: file "slope_shape";
     AnisotropicNew: fn "anisotropic_new", "Anisotropic::new";
     AnisotropicForm: fn "anisotropic_form", "Anisotropic::form";
     AnisotropicWhiten: fn "anisotropic_whiten", "Anisotropic::whiten";
@@ -117,7 +118,7 @@ items! {
     AnisotropicNormal: fn "anisotropic_normal";
     AnisotropicView: fn "anisotropic_view";
     AnisotropicPair: fn "anisotropic_pair";
-    SlopeShape: file "slope_shape";
+    SlopeAnisotropic: file "slope_anisotropic";
     NonCenteredNew: fn "non_centered_new", "NonCentered::new";
     NonCenteredForm: fn "non_centered_form", "NonCentered::form";
     NonCenteredOffset: fn "non_centered_offset", "NonCentered::offset";

@@ -65,6 +65,7 @@ modules! {
     "slope/ray",
     "slope/roughness",
     "slope/shape",
+    "slope/anisotropic",
     "slope/non_centered",
     "slope/lobe",
     "slope/moments",
@@ -155,12 +156,12 @@ modules! {
 
 impl Module {
     /// Path of the file below `src/wgsl`, without its ending: `scalar/psd`.
-    pub fn path(&self) -> &'static str {
+    pub const fn path(&self) -> &'static str {
         self.path
     }
 
     /// The text: plain WGSL, which uses names of other modules.
-    pub fn body(&self) -> &'static str {
+    pub const fn body(&self) -> &'static str {
         self.body
     }
 

@@ -79,7 +79,7 @@ impl Preset {
     /// ```
     /// assert_eq!(lobe::wgsl::Preset::LeanPlane.name(), "lean_plane");
     /// ```
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Plain => "plain",
             Self::IsotropicDeferred => "isotropic_deferred",
@@ -108,7 +108,7 @@ impl Preset {
     /// assert!(Preset::ForwardExact.items().contains(&Item::GgxBrdfOver));
     /// ```
     #[allow(clippy::too_many_lines, reason = "a table")]
-    pub fn items(self) -> &'static [Item] {
+    pub const fn items(self) -> &'static [Item] {
         use Item as I;
         match self {
             Self::Plain => &[I::IsotropicNew, I::IsotropicPair, I::GgxBrdf],

@@ -45,7 +45,7 @@ macro_rules! items {
             ];
 
             /// Kind, name and twin; no twin is an empty one.
-            pub(super) fn entry(self) -> (Kind, &'static str, &'static str) {
+            pub(super) const fn entry(self) -> (Kind, &'static str, &'static str) {
                 match self {
                     $(Self::$variant => (kind!($kind), $name, concat!($($twin)?)),)*
                     $($(

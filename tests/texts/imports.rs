@@ -1,9 +1,9 @@
 //! No two files import from each other, directly or through others: a file can be read after those
-//! that it imports from.
+//! that it imports from. A type whose methods stand in several files says in which.
 
 use crate::source::{Tree, defined, tree, used};
 use std::collections::{BTreeMap, BTreeSet};
-use syn::Item;
+use syn::{Item, Type};
 
 /// The files that a file imports from. A folder's `mod.rs` lists its files, so it does not count.
 fn imports(tree: &Tree) -> BTreeMap<String, BTreeSet<String>> {
@@ -73,4 +73,43 @@ fn the_law_notices_a_circle() {
     assert_eq!(of(&[("a", "b"), ("b", "c"), ("a", "c")]), None);
     let found = of(&[("a", "b"), ("b", "c"), ("c", "b")]);
     assert_eq!(found, Some(vec!["b".to_owned(), "c".to_owned()]));
+}
+
+/// The files that have methods of each type, by its file and name.
+fn methods(tree: &Tree) -> BTreeMap<(String, String), BTreeSet<String>> {
+    let mut found: BTreeMap<(String, String), BTreeSet<String>> = BTreeMap::new();
+    for (path, module) in tree {
+        for item in &module.items {
+            let Item::Impl(item) = item else { continue };
+            let Type::Path(of) = &*item.self_ty else { continue };
+            let name = of.path.segments.last().map(|segment| segment.ident.to_string());
+            let from = [path.as_slice(), &name.into_iter().collect::<Vec<_>>()].concat();
+            if item.trait_.is_none()
+                && let Some((home, name)) = defined(tree, &from)
+            {
+                let key = (tree[&home].file.clone(), name);
+                found.entry(key).or_default().insert(module.file.clone());
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn types_say_where_their_further_methods_are() {
+    let mut count = 0;
+    for ((file, name), mut files) in methods(&tree()) {
+        files.remove(&file);
+        let src = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+        let text = std::fs::read_to_string(src.join(&file)).expect("a readable file");
+        let above = text.split(&format!("\npub struct {name}")).next().unwrap_or_default();
+        let comments = above.lines().rev().take_while(|line| line.starts_with(['#', '/']));
+        let mut comments = comments.filter_map(|line| line.strip_prefix("// Further methods: "));
+        let stated: BTreeSet<String> = comments.next().map_or_else(BTreeSet::new, |list| {
+            list.trim_end_matches('.').split(", ").map(str::to_owned).collect()
+        });
+        assert_eq!(stated, files, "src/{file}, {name}: `// Further methods: FILE, FILE.`");
+        count += files.len();
+    }
+    assert!(count > 15, "only {count} files with further methods found");
 }

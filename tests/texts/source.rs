@@ -1,4 +1,4 @@
-//! The crate's sources as a tree of modules, parsed by `syn`: who imports whom, and what callers see.
+//! The crate's sources as a tree of modules, parsed by `syn`: what imports what, what callers see.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -95,7 +95,7 @@ pub(crate) fn used(tree: &UseTree, home: &[String]) -> Vec<(Vec<String>, String)
             }
             UseTree::Name(name) => {
                 let name = name.ident.to_string();
-                found.push(([path, &[name.clone()]].concat(), name));
+                found.push(([path, std::slice::from_ref(&name)].concat(), name));
             }
             UseTree::Rename(part) => {
                 let path = [path, &[part.ident.to_string()]].concat();
@@ -129,7 +129,7 @@ fn absolute(path: &[String], home: &[String]) -> Vec<String> {
     base
 }
 
-/// Where an item is defined, through any number of re-exports: the path of its module, and its name.
+/// Where an item is defined, through any number of re-exports: its module's path, and its name.
 pub(crate) fn defined(tree: &Tree, path: &[String]) -> Option<(Vec<String>, String)> {
     let (name, home) = path.split_last()?;
     let module = tree.get(home)?;

@@ -62,7 +62,7 @@ impl Cell {
 
     /// All of its words, for another model's purposes.
     #[inline]
-    pub(in crate::material) fn words(&self) -> [u32; 4] {
+    pub(in crate::material) const fn words(&self) -> [u32; 4] {
         self.words
     }
 

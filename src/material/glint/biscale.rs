@@ -33,7 +33,7 @@ pub struct Biscale<R> {
 
 impl<R: Real> Biscale<R> {
     /// From the two parts.
-    pub fn new(spread: Roughness<R>, local: Roughness<R>) -> Self {
+    pub const fn new(spread: Roughness<R>, local: Roughness<R>) -> Self {
         Self { spread, local }
     }
 
@@ -64,12 +64,12 @@ impl<R: Real> Biscale<R> {
     }
 
     /// $A_m$: how the slopes of details are distributed.
-    pub fn spread(&self) -> Roughness<R> {
+    pub const fn spread(&self) -> Roughness<R> {
         self.spread
     }
 
     /// $A_l$: the roughness of one detail.
-    pub fn local(&self) -> Roughness<R> {
+    pub const fn local(&self) -> Roughness<R> {
         self.local
     }
 

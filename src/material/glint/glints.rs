@@ -33,6 +33,7 @@ use crate::scalar::Real;
 /// Source: Zirr & Kaplanyan 2016. What is printed and was published of it, mistakes included, is
 /// [`ZirrKaplanyan`](super::ZirrKaplanyan); this one conserves the mean: over cells and angular
 /// bins $P_{22}$ averages to that of the smooth lobe, for any number, size, light and pixel.
+// Further methods: material/glint/ndf.rs.
 #[doc(alias = "LobeGlints")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Glints<R> {
@@ -119,12 +120,12 @@ impl<R: Real> Glints<R> {
 
     /// With other random numbers.
     #[must_use]
-    pub fn with_seed(self, seed: u32) -> Self {
+    pub const fn with_seed(self, seed: u32) -> Self {
         Self { seed, ..self }
     }
 
     /// The two roughnesses.
-    pub fn biscale(&self) -> Biscale<R> {
+    pub const fn biscale(&self) -> Biscale<R> {
         self.biscale
     }
 

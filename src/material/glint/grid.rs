@@ -97,19 +97,19 @@ impl<R: Real> Grid<R> {
     /// The same grids with other random numbers.
     #[must_use]
     #[inline]
-    pub fn with_seed(self, seed: u32) -> Self {
+    pub const fn with_seed(self, seed: u32) -> Self {
         Self { seed, ..self }
     }
 
     /// The finer grid's cells are of size $2^k$, k being this.
     #[inline]
-    pub fn exponent(&self) -> i32 {
+    pub const fn exponent(&self) -> i32 {
         self.exponent
     }
 
     /// How far the coarser grid has come, from 0, where there is only the finer one, to 1.
     #[inline]
-    pub fn coarser(&self) -> R {
+    pub const fn coarser(&self) -> R {
         self.coarser
     }
 

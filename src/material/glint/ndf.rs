@@ -32,6 +32,7 @@ use crate::slope::{Anisotropic, Lobe, NonCentered, Roughness, SlopeMoments};
 ///
 /// Source: Zirr & Kaplanyan 2016, section 4; departures are
 /// [`ZirrKaplanyan`](super::ZirrKaplanyan)'s list.
+// Further methods: material/glint/sparkle.rs.
 #[doc(alias = "LobeGlintNdf")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GlintNdf<R: Real> {
@@ -106,7 +107,7 @@ impl<R: Real> GlintNdf<R> {
     }
 
     /// The cells that the pixel covers.
-    pub fn grid(&self) -> &Grid<R> {
+    pub const fn grid(&self) -> &Grid<R> {
         &self.grid
     }
 

@@ -35,7 +35,7 @@ pub struct CubeMap<R, T> {
 
 impl<R: Real, T: AsRef<[[R; 3]]>> CubeMap<R, T> {
     /// How many texels a map of `face` texels a side has with its mip chain: 8 `face`^2 - 2.
-    pub fn texels(face: usize) -> usize {
+    pub const fn texels(face: usize) -> usize {
         face.saturating_mul(face).saturating_mul(8).saturating_sub(2)
     }
 
@@ -73,7 +73,7 @@ impl<R: Real, T: AsRef<[[R; 3]]>> CubeMap<R, T> {
     }
 
     /// Texels a side of the finest level.
-    pub fn face(&self) -> usize {
+    pub const fn face(&self) -> usize {
         self.face
     }
 

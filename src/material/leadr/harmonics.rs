@@ -53,7 +53,7 @@ fn harmonics<R: Real>([x, y, z]: [R; 3]) -> [R; 9] {
 
 impl<R: Real> Irradiance<R> {
     /// No light.
-    pub fn dark() -> Self {
+    pub const fn dark() -> Self {
         Self { coefficients: [[R::ZERO; 3]; 9] }
     }
 

@@ -182,18 +182,18 @@ impl<R: Real, const N: usize> Quadrature<R, N> {
     }
 
     /// Positions in standard deviations, ascending.
-    pub fn nodes(&self) -> &[R; N] {
+    pub const fn nodes(&self) -> &[R; N] {
         &self.nodes
     }
 
     /// Weights; their sum is 1.
-    pub fn weights(&self) -> &[R; N] {
+    pub const fn weights(&self) -> &[R; N] {
         &self.weights
     }
 
     /// How much of the axis a node stands for, in standard deviations: its weight over the normal
     /// density.
-    pub fn widths(&self) -> &[R; N] {
+    pub const fn widths(&self) -> &[R; N] {
         &self.widths
     }
 }

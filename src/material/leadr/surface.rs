@@ -38,6 +38,7 @@ pub enum Shadowing {
 /// assert!(radiance > 0.0 && radiance <= surface.brdf_cos(wo, wi, Shadowing::MaskingOnly));
 /// # Ok::<(), lobe::Error>(())
 /// ```
+// Further methods: material/leadr/diffuse.rs, material/leadr/environment.rs.
 #[doc(alias = "LobeLeadr")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leadr<R: Real> {
@@ -95,7 +96,7 @@ impl<R: Real> Leadr<R> {
     }
 
     /// The distribution underneath: density, projected area, masking.
-    pub fn ndf(&self) -> &Beckmann<NonCentered<Anisotropic<R>>> {
+    pub const fn ndf(&self) -> &Beckmann<NonCentered<Anisotropic<R>>> {
         &self.ndf
     }
 

@@ -51,6 +51,7 @@ pub enum Border {
 /// assert!(lobe.roughness().alphas().major > 10.0 * lobe.roughness().alphas().minor);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+// Further methods: material/lean/sample.rs, material/lean/weighted.rs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MomentMap<R> {
     size: [usize; 2],
@@ -191,7 +192,7 @@ impl<R: Real> MomentMap<R> {
     }
 
     /// What lies beyond the edges.
-    pub fn border(&self) -> Border {
+    pub const fn border(&self) -> Border {
         self.border
     }
 

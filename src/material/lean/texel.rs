@@ -145,7 +145,7 @@ impl<R: Real> SlopeCap<R> {
     }
 
     /// The cap's slope.
-    pub fn steepest(&self) -> R {
+    pub const fn steepest(&self) -> R {
         self.steepest
     }
 

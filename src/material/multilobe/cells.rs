@@ -12,7 +12,7 @@ use crate::scalar::quantile::normal_quantile;
 
 /// Cells from the tile's corner, as a power of two: beyond it f32 places a pixel within a cell too
 /// coarsely for its weights, and in f64 indices end.
-fn farthest<R: Real>() -> i32 {
+const fn farthest<R: Real>() -> i32 {
     if R::SINGLE { 20 } else { 28 }
 }
 

@@ -35,6 +35,7 @@ use crate::scalar::Real;
 /// assert!((sum - 1.0).abs() < 1e-3);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+// Further methods: material/multilobe/bytes.rs.
 #[doc(alias = "LobeDictionary")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dictionary<R> {
@@ -55,12 +56,12 @@ impl<R: Real> Dictionary<R> {
     }
 
     /// From nodes that were stored.
-    pub(super) fn from_nodes(recipe: Recipe, nodes: Vec<[R; 2]>) -> Self {
+    pub(super) const fn from_nodes(recipe: Recipe, nodes: Vec<[R; 2]>) -> Self {
         Self { recipe, nodes }
     }
 
     /// What it was made by.
-    pub fn recipe(&self) -> &Recipe {
+    pub const fn recipe(&self) -> &Recipe {
         &self.recipe
     }
 

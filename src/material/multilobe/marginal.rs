@@ -30,14 +30,14 @@ pub struct Marginal<'a, R> {
 
 impl<'a, R: Real> Marginal<'a, R> {
     #[inline]
-    pub(super) fn new(nodes: &'a [[R; 2]]) -> Self {
+    pub(super) const fn new(nodes: &'a [[R; 2]]) -> Self {
         Self { nodes }
     }
 
     /// Intervals from 0 to the end.
     #[inline]
     #[allow(clippy::cast_possible_wrap, reason = "a recipe has at most 4096")]
-    fn intervals(&self) -> i32 {
+    const fn intervals(&self) -> i32 {
         self.nodes.len() as i32 - 1
     }
 

@@ -30,6 +30,7 @@ use crate::slope::Roughness;
 /// assert!(pixel.brdf([0.6, 0.0, 0.8], [-0.28, 0.0, 0.96]) >= 0.0);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+// Further methods: material/multilobe/ndf.rs.
 #[doc(alias = "LobeMultiLobe")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MultiLobe<R> {
@@ -87,12 +88,12 @@ impl<R: Real> MultiLobe<R> {
 
     /// With other random numbers.
     #[must_use]
-    pub fn with_seed(self, seed: u32) -> Self {
+    pub const fn with_seed(self, seed: u32) -> Self {
         Self { seed, ..self }
     }
 
     /// The roughness from afar.
-    pub fn roughness(&self) -> Roughness<R> {
+    pub const fn roughness(&self) -> Roughness<R> {
         self.roughness
     }
 

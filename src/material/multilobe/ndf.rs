@@ -44,6 +44,7 @@ use crate::slope::{Anisotropic, Footprint, LobeShape, MeanFrame, Roughness, Slop
 /// known.
 ///
 /// Source: Chermain et al. 2020; 2021a, Eq. 3 to 6, 10, 15 and 18.
+// Further methods: material/multilobe/sample.rs.
 #[doc(alias = "LobePatchNdf")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PatchNdf<'a, R> {
@@ -76,12 +77,12 @@ impl<'a, R: Real> PatchNdf<'a, R> {
     }
 
     /// Cells of the finer level have the size $2^k$, k being this.
-    pub fn exponent(&self) -> i32 {
+    pub const fn exponent(&self) -> i32 {
         self.cells.exponent
     }
 
     /// How much of the pixel is of the coarser level, in [0, 1].
-    pub fn coarser(&self) -> R {
+    pub const fn coarser(&self) -> R {
         self.cells.coarser
     }
 
@@ -153,7 +154,7 @@ impl<'a, R: Real> PatchNdf<'a, R> {
     }
 
     /// The same without that filter.
-    pub(super) fn without_mips(&self) -> Self {
+    pub(super) const fn without_mips(&self) -> Self {
         Self { mips: None, ..*self }
     }
 
@@ -219,17 +220,17 @@ impl<'a, R: Real> PatchNdf<'a, R> {
 
     /// The dictionary of its marginals, its roughness and its kernel.
     #[inline]
-    pub(super) fn dictionary(&self) -> &'a Dictionary<R> {
+    pub(super) const fn dictionary(&self) -> &'a Dictionary<R> {
         self.dictionary
     }
 
     #[inline]
-    pub(super) fn roughness(&self) -> &Roughness<R> {
+    pub(super) const fn roughness(&self) -> &Roughness<R> {
         &self.roughness
     }
 
     #[inline]
-    pub(super) fn kernel(&self) -> &Kernel<R> {
+    pub(super) const fn kernel(&self) -> &Kernel<R> {
         &self.kernel
     }
 

@@ -63,7 +63,7 @@ impl<R: Real> Plane<R> {
 
     /// The kernel, around the middle.
     #[inline]
-    pub(super) fn pieces(&self) -> &Pieces<R> {
+    pub(super) const fn pieces(&self) -> &Pieces<R> {
         &self.pieces
     }
 
