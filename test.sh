@@ -185,7 +185,7 @@ feature_sets() {
 
 # The tools' tests run the examples. All packages are selected in every call: another selection
 # would compile dependencies with other features.
-all=(--workspace --features probe)
+all=(--workspace --features probe,serde,bytemuck)
 step "Tests build"
 if [[ $size == fast ]]; then
     suites=(--test laws --test texts --test tools --test cli)

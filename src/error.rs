@@ -140,6 +140,7 @@ errors! {
     Variation "variation" "[0, 4]";
     Share "share" "[0, 1]";
     Facets "density of facets" "[1e-18, 1e30]";
+    RootDet "root_det" "the rounding of the root of the entries' determinant";
     }
     others: {
         /// The matrix of the entries xx, xy and yy has a negative eigenvalue.

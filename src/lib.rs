@@ -113,6 +113,8 @@
 //! | `glint` (default) | [`material::glint`], [`material::multilobe`]; needs an allocator |
 //! | `wgsl` (default) | the same functions in WGSL, as text: [`mod@wgsl`]; needs an allocator |
 //! | `probe` | precisions that count operations and bound rounding: for checks, not for shading |
+//! | `serde` | `Serialize` and `Deserialize` of plain data, checked as constructors check |
+//! | `bytemuck` | plain structures for buffers, laid out as those of the port: `gpu` |
 //! | `glam` | `From` and `TryFrom` between [`Psd`] and `glam::Mat2`, `glam::DMat2` |
 //!
 //! # What it is not
@@ -127,8 +129,12 @@ extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
+#[cfg(feature = "serde")]
+mod data;
 mod error;
 pub mod filter;
+#[cfg(feature = "bytemuck")]
+pub mod gpu;
 pub mod material;
 pub mod ndf;
 pub mod prelude;

@@ -26,6 +26,7 @@ use crate::scalar::Real;
 /// assert!(most > 2.0 * least);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Engine {
     /// Google Filament, material defaults.
@@ -46,6 +47,7 @@ pub enum Engine {
 
 /// A filter that adds $\min(c\, (|\Delta n_u|^2 + |\Delta n_v|^2), \mathrm{cap})$ to alpha^2.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AddedVariance {
     /// What multiplies the squared derivatives.
     pub coefficient: f64,

@@ -33,6 +33,15 @@ impl<R: Real> Fresnel<R> {
         Self { term: Term::Schlick { normal: [R::ONE; 3] } }
     }
 
+    /// The reflectance at normal incidence of Schlick's term, or eta and k of a conductor.
+    #[cfg(feature = "serde")]
+    pub(crate) const fn parts(&self) -> Result<[R; 3], [[R; 3]; 2]> {
+        match self.term {
+            Term::Schlick { normal } => Ok(normal),
+            Term::Conductor { eta, k } => Err([eta, k]),
+        }
+    }
+
     /// Schlick's approximation, $F = F_0 + (1 - F_0)(1 - \cos\theta)^5$, from the reflectance at
     /// normal incidence.
     ///

@@ -33,6 +33,7 @@ pub struct Psd<R> {
 /// Eigenvalues and major axis of a [`Psd`].
 #[doc(alias = "LobeEigen")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Eigen<R> {
     /// The larger eigenvalue.
     pub major: R,

@@ -62,6 +62,11 @@ impl<R: Real> Material<BeckmannDistribution, R> {
 }
 
 impl<D: Distribution, R: Real> Material<D, R> {
+    #[cfg(feature = "serde")]
+    pub(crate) const fn new(lobe: Lobe<R>, fresnel: Fresnel<R>) -> Self {
+        Self { lobe, fresnel, distribution: PhantomData }
+    }
+
     /// The material as a pixel with this kernel sees it: its lobe widened, ready for any number of
     /// lights.
     ///

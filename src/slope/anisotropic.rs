@@ -57,6 +57,15 @@ impl<R: Real> Anisotropic<R> {
     }
 }
 
+#[cfg(feature = "bytemuck")]
+impl<R: Real> Anisotropic<R> {
+    /// All numbers, in the order of the port's structure.
+    pub(crate) const fn numbers(&self) -> [R; 7] {
+        let Self { xx, xy, root_det, inverse_xx, along, across, schur } = *self;
+        [xx, xy, root_det, inverse_xx, along, across, schur]
+    }
+}
+
 impl<R: Real> From<Roughness<R>> for Anisotropic<R> {
     fn from(roughness: Roughness<R>) -> Self {
         Self::new(roughness)

@@ -26,6 +26,7 @@ use core::ops::{Mul, Sub};
 #[doc(alias = "lobe_footprint_mul")]
 #[doc(alias = "lobe_footprint_sub")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Footprint<R> {
     /// Derivative along the screen's first axis, slope per pixel.
     pub u: [R; 2],

@@ -35,6 +35,16 @@ impl<S: LobeShape> NonCentered<S> {
         Ok(Self { shape, mean: checked_slope(mean)? })
     }
 
+    /// The shape around the mean.
+    pub const fn shape(&self) -> &S {
+        &self.shape
+    }
+
+    /// The mean slope.
+    pub const fn mean(&self) -> [S::Scalar; 2] {
+        self.mean
+    }
+
     /// The same for a mean that is known to be valid.
     pub(crate) const fn unchecked(shape: S, mean: [S::Scalar; 2]) -> Self {
         Self { shape, mean }

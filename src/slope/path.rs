@@ -22,6 +22,7 @@ use crate::scalar::Real;
 /// ```
 #[doc(alias = "LobeVertex")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Vertex<R> {
     /// Unit vector from the shaded point, tangent frame.
     pub direction: [R; 3],
@@ -74,6 +75,7 @@ impl<R: Real> Vertex<R> {
 /// A surface point between viewer and light, with the surface's curvature.
 #[doc(alias = "LobePath")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Path<R> {
     /// The viewer.
     pub eye: Vertex<R>,

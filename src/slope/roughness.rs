@@ -40,6 +40,7 @@ pub struct Roughness<R> {
 /// Roughness along the axes of a lobe, and where the axes point.
 #[doc(alias = "LobeAlphas")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Alphas<R> {
     /// alpha along the major axis: the larger.
     pub major: R,

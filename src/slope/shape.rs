@@ -109,6 +109,13 @@ impl<R: Real> From<Isotropic<R>> for Roughness<R> {
     }
 }
 
+impl<R: Real> Isotropic<R> {
+    /// alpha.
+    pub const fn alpha(&self) -> R {
+        self.alpha
+    }
+}
+
 impl<R: Real> LobeShape for Isotropic<R> {
     type Scalar = R;
     const CENTERED: bool = true;
@@ -191,6 +198,13 @@ impl<R: Real> From<AxisAligned<R>> for Roughness<R> {
     fn from(shape: AxisAligned<R>) -> Self {
         let [x, y] = shape.alphas;
         Self::from_matrix(Psd::from_axes(x, y, R::ONE, R::ZERO))
+    }
+}
+
+impl<R: Real> AxisAligned<R> {
+    /// alpha along x and along y.
+    pub const fn alphas(&self) -> [R; 2] {
+        self.alphas
     }
 }
 

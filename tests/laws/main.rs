@@ -63,6 +63,7 @@ mod quadrature;
 mod ray;
 mod rotation;
 mod scalar;
+mod serde;
 mod shade;
 mod storage;
 mod tiles;

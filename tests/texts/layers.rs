@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folder or file under src/, and its layer.
-const LAYERS: [(&str, u8); 8] = [
+const LAYERS: [(&str, u8); 10] = [
     ("error", 0),
     ("scalar", 0),
     ("wgsl", 0),
@@ -13,6 +13,8 @@ const LAYERS: [(&str, u8); 8] = [
     ("filter", 3),
     ("material", 4),
     ("shade", 5),
+    ("gpu", 6),
+    ("data", 6),
 ];
 
 /// What fits into one reading.

@@ -19,6 +19,7 @@ mod translate;
 mod documents;
 mod imports;
 mod layers;
+mod layouts;
 mod modules;
 mod source;
 mod surface;

@@ -124,6 +124,17 @@ impl<R: Real> Glints<R> {
         Self { seed, ..self }
     }
 
+    /// Density, variation and share; stretch; the groove as the port numbers it; seed.
+    #[cfg(any(feature = "bytemuck", feature = "serde"))]
+    pub(crate) const fn numbers(&self) -> ([R; 3], [R; 2], u32, u32) {
+        let groove = match self.groove {
+            Groove::None => 0,
+            Groove::AlongU => 1,
+            Groove::AlongV => 2,
+        };
+        ([self.density, self.variation, self.share], self.stretch, groove, self.seed)
+    }
+
     /// The two roughnesses.
     pub const fn biscale(&self) -> Biscale<R> {
         self.biscale

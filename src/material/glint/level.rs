@@ -25,6 +25,7 @@ pub(super) const FARTHEST: i32 = 20;
 /// A cell that a pixel covers.
 #[doc(alias = "LobeCoveredCell")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CoveredCell<R> {
     /// The cell's center, in cells from the origin of the coordinates.
     pub index: [i64; 2],

@@ -26,6 +26,7 @@ impl<R: Real, F: Fn([R; 3], R) -> [R; 3]> Light<R> for F {
 
 /// What a sum over facets is divided by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Normalization {
     /// The projected area $\sigma(w_o)$ in closed form: without bias as the grid grows, and no sum
     /// to keep. A constant light comes out as S/sigma, off by what the grid misses of the area

@@ -13,6 +13,7 @@ use crate::slope::{Anisotropic, Lobe, LobeShape, NonCentered};
 /// draw them close by: a filter that darkens what the displaced geometry itself does not is
 /// inconsistent between scales.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Shadowing {
     /// Masking and shadowing, height-correlated: $1/(1 + \Lambda_o + \Lambda_i)$.
     ///
@@ -53,6 +54,7 @@ pub struct Leadr<R: Real> {
 /// A node of a grid of N x N, in standard deviations.
 #[doc(alias = "LobeNode")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Node<R> {
     /// Where: independent deviations along two axes.
     pub place: [R; 2],
@@ -65,6 +67,7 @@ pub struct Node<R> {
 /// A facet that a grid's node stands for.
 #[doc(alias = "LobeFacet")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Facet<R> {
     /// Its unit normal.
     pub normal: [R; 3],

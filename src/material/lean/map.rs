@@ -13,6 +13,7 @@ use alloc::vec::Vec;
 
 /// What lies beyond a map's edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Border {
     /// The map again.
     Wrap,

@@ -92,6 +92,12 @@ impl<R: Real> MultiLobe<R> {
         Self { seed, ..self }
     }
 
+    /// Density, variation and share; seed.
+    #[cfg(any(feature = "bytemuck", feature = "serde"))]
+    pub(crate) const fn numbers(&self) -> ([R; 3], u32) {
+        ([self.density, self.variation, self.share], self.seed)
+    }
+
     /// The roughness from afar.
     pub const fn roughness(&self) -> Roughness<R> {
         self.roughness

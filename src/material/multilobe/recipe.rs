@@ -6,6 +6,7 @@ use crate::error::Error;
 
 /// Where the lobes of a dictionary's marginals stand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum LobeMeans {
     /// One in each of as many equal parts of the normal distribution as there are marginals, with
     /// what variance the lobes leave of 1: the dictionary's mean is the smooth lobe, as nearly as
@@ -32,6 +33,7 @@ pub enum LobeMeans {
 /// # Ok::<(), lobe::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Recipe {
     /// How many marginals there are to pick from: 1 to 65536.
     pub marginals: u32,

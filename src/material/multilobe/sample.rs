@@ -12,6 +12,7 @@ use crate::slope::direction::{dot, half_vector, normal_of, reflect};
 /// A direction that was drawn.
 #[doc(alias = "LobeDirectionSample")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct DirectionSample<R> {
     /// Towards the light.
     pub wi: [R; 3],

@@ -1,0 +1,105 @@
+//! What is written is read again to the bit, and what constructors refuse is refused by name.
+#![cfg(feature = "serde")]
+
+use crate::common::check;
+use core::fmt::Debug;
+use lobe::filter::{DiskKernel, SphericalGaussian};
+use lobe::material::Fresnel;
+use lobe::material::cells::Patch;
+use lobe::material::glint::{Biscale, Glints};
+use lobe::material::lean::{Border, SlopeCap};
+use lobe::material::multilobe::{LobeMeans, MultiLobe, Recipe};
+use lobe::shade::{GlintMaterial, Material, MultiLobeMaterial};
+use lobe::slope::Motion;
+use lobe::{
+    AxisAligned, Footprint, Isotropic, Kernel, Lobe, Path, PixelFilter, Psd, Real, Roughness,
+    SlopeMoments, Vertex,
+};
+use proptest::test_runner::{TestCaseError, TestCaseResult};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+/// The value after a way through JSON.
+fn back<T: Serialize + DeserializeOwned + PartialEq + Debug>(value: &T) -> TestCaseResult {
+    let text = serde_json::to_string(value).expect("numbers that JSON has");
+    let read: T = serde_json::from_str(&text)
+        .map_err(|error| TestCaseError::fail(format!("{text}: {error}")))?;
+    if read == *value { Ok(()) } else { Err(TestCaseError::fail(format!("{text}: {read:?}"))) }
+}
+
+fn there_and_back<R: Real + Serialize + DeserializeOwned>() {
+    check(2_000, |source| {
+        let mut alpha = || R::lit(source.log_uniform(1e-4, 30.0));
+        let roughness = Roughness::from_alphas(alpha(), alpha(), alpha()).expect("in range");
+        let (mean, u, v) = ([alpha(), -alpha()], [alpha(), alpha()], [-alpha(), alpha()]);
+        let footprint = Footprint::from_slopes(u, v);
+        let kernel = Kernel::of(&footprint, PixelFilter::BOX);
+        back(&roughness)?;
+        back(&roughness.matrix())?;
+        back(&kernel)?;
+        back(&footprint)?;
+        back(&roughness.widened(&kernel))?;
+        back(&DiskKernel::of(u, v, PixelFilter::KAPLANYAN))?;
+        back(&SlopeMoments::new(mean, kernel.covariance()).expect("in range"))?;
+        back(&Lobe::new(mean, roughness).expect("in range"))?;
+        back(&roughness.alphas())?;
+        back(&Isotropic::new(u[0]).expect("in range"))?;
+        back(&AxisAligned::new(u[0], u[1]).expect("in range"))?;
+        back(&Patch::new(mean, u, v))?;
+        back(&Motion { half_vector: [u[0], v[0], u[1]], normal: v, spin: u[0] })?;
+        let vertex = Vertex::at([u[0], v[0], u[1]]).expect("a length");
+        back(&Path { eye: vertex, light: vertex, curvature: [u[0], v[0], u[1]] })
+    });
+    let one = R::ONE;
+    let roughness = Roughness::from_alpha(R::lit(0.1)).expect("in range");
+    let biscale = Biscale::new(roughness, roughness);
+    let glints = Glints::new(biscale, R::lit(1e5)).and_then(|glints| glints.with_variation(one));
+    let glints = glints.and_then(|glints| glints.with_share(R::HALF)).expect("in range");
+    let facets = MultiLobe::new(roughness, R::lit(1e5)).expect("in range").with_seed(7);
+    let fresnel = Fresnel::conductor([one; 3], [R::TWO; 3]).expect("in range");
+    let schlick = Fresnel::schlick([R::HALF; 3]).expect("in range");
+    back(&fresnel).expect("back");
+    back(&Material::ggx(Lobe::centered(roughness), schlick)).expect("back");
+    back(&GlintMaterial { glints: glints.with_seed(3), fresnel }).expect("back");
+    back(&MultiLobeMaterial { facets, fresnel: schlick }).expect("back");
+    back(&SlopeCap::new(one).expect("in range")).expect("back");
+    let up = [R::ZERO, R::ZERO, one];
+    back(&SphericalGaussian::new(up, one).expect("in range")).expect("back");
+}
+
+#[test]
+fn what_is_written_is_read_again_in_single_precision() {
+    there_and_back::<f32>();
+}
+
+#[test]
+fn what_is_written_is_read_again_in_double_precision() {
+    there_and_back::<f64>();
+    back(&PixelFilter::TOKUYOSHI_KAPLANYAN).expect("back");
+    back(&Recipe { means: LobeMeans::Chermain, ..Recipe::default() }).expect("back");
+    back(&Border::Clamp).expect("back");
+}
+
+#[test]
+fn what_constructors_refuse_is_refused_by_name() {
+    fn refused<T: DeserializeOwned + Debug>(text: &str, message: &str) {
+        let error = serde_json::from_str::<T>(text).expect_err("out of range").to_string();
+        assert!(error.starts_with(message), "{text}: {error}");
+    }
+    refused::<Isotropic<f32>>(r#"{"alpha": -1}"#, "alpha = -1 is not in [0, 1e9]");
+    refused::<PixelFilter>("-0.5", "variance = -0.5 is not in [0, 1e9]");
+    let flat = r#"{"entries": [1, 2, 1], "root_det": 0}"#;
+    refused::<Psd<f64>>(flat, "matrix [[1, 2], [2, 1]] is not positive semi-definite");
+    refused::<Psd<f64>>(r#"{"entries": [4, 0, 4], "root_det": 3}"#, "root_det = 3 is not in");
+    refused::<Psd<f32>>(r#"{"entries": [4, 0, 4], "root_det": -4}"#, "root_det = -4 is not in");
+    let far = r#"{"mean": [2e9, 0], "covariance": {"entries": [0, 0, 0], "root_det": 0}}"#;
+    refused::<SlopeMoments<f32>>(far, "component of the mean slope = 2e9 is not in [-1e9, 1e9]");
+    let other = r#"{"alpha": 1, "beta": 2}"#;
+    refused::<Isotropic<f32>>(other, "unknown field `beta`, expected `alpha`");
+    let dull = r#"{"schlick": [0.5, 0.5, 1.5]}"#;
+    refused::<Fresnel<f32>>(dull, "reflectance at normal incidence = 1.5 is not in [0, 1]");
+    // A long thin kernel carries more of its determinant than its entries do.
+    let thin = Psd::outer_sum([1.0_f32, 1.0], [1.0, 1.0 + 1e-4]);
+    let text = serde_json::to_string(&thin).expect("numbers");
+    assert_eq!(serde_json::from_str::<Psd<f32>>(&text).expect("known"), thin);
+}
