@@ -108,8 +108,8 @@ impl<R: Real> SphericalGaussian<R> {
     /// The kernel on the slope plane for a viewer along `wo`: $\Sigma = \frac{1}{\lambda} J J^T$, J
     /// the derivative of the half vector's slope by the light's direction.
     ///
-    /// Zero where the half vector is not above the surface. Combine it with the pixel's:
-    /// [`Kernel::add`].
+    /// Zero where the half vector is not above the surface. Add the pixel's to it: kernels
+    /// have `+`.
     ///
     /// Source: Tokuyoshi et al. 2024, here in slope space.
     #[doc(alias = "lobe_spherical_gaussian_kernel")]

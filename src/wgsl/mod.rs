@@ -1,10 +1,11 @@
 //! The same functions in WGSL, and nothing that a scene does not need.
 //!
 //! Layer 0, feature `wgsl`; needs an allocator, no other crate. Every function of this crate that a
-//! shader can use has a twin: `src/X.rs` and `src/wgsl/X.wgsl`, function by function, named `lobe_`
-//! and the Rust name. The texts have no entry points, no directives and, but for a dictionary
-//! ([`rebound`]), no bindings, so they go into any shader, after its directives; [`source`] returns
-//! the functions asked for with all that they call, and [`Module`] the files for linkers.
+//! shader can use has a twin: `src/X.rs` and `src/wgsl/X.wgsl`, function by function, named
+//! `lobe_`, the type and the method ([`names`] is the table). The texts have no entry points, no
+//! directives and, but for a dictionary ([`rebound`]), no bindings, so they go into any shader,
+//! after its directives; [`source`] returns the functions asked for with all that they call, and
+//! [`Module`] the files for linkers.
 //!
 //! ```
 //! use lobe::wgsl::{Item, source};

@@ -45,10 +45,11 @@ impl Cell {
     /// The cell of this index in the grid of cells of size $2^k$, `k` being `exponent`; `seed`
     /// tells surfaces apart.
     ///
-    /// Indices have 32 bits or 64, as [`CoveredCell::index`](super::CoveredCell::index). Odd
-    /// numbers beyond 32 bits change the seed, by multiples of two odd constants for which no two
-    /// cells of one size are equal that lie less than $2^{47}$ cells apart. Exponents beyond -300
-    /// to 300 are taken as those.
+    /// Indices have 32 bits or 64, as
+    /// [`CoveredCell::index`](crate::material::glint::CoveredCell::index). Odd numbers beyond 32
+    /// bits change the seed, by multiples of two odd constants for which no two cells of one size
+    /// are equal that lie less than $2^{47}$ cells apart. Exponents beyond -300 to 300 are taken as
+    /// those.
     #[doc(alias = "lobe_cell_at")]
     #[doc(alias = "lobe_cell_at_wide")]
     #[inline]

@@ -55,13 +55,13 @@ impl<R: Real> Patch<R> {
     /// loses precision by its own size only. Any tile of 32 bits will do. Cells are no smaller than
     /// $2^{-20} \max(|u|, |v|)$ of `uv` alone, and outside of tile 0 no smaller than $2^{-31}$.
     ///
-    /// For stretched details ([`Grid::stretched`](super::Grid::stretched)) coordinates are
-    /// multiplied by a factor. The product is taken exactly; its fraction is right to $2^{-22}$ in
-    /// f32, so stretched cells outside of tile 0 are no smaller than $2^{-19}$. In tile 0 they may
-    /// be smaller: a pixel below that size on a border of tile 0 has other cells from there than
-    /// from the tile beside it. If the factor changes by d, the cells of tile t move by t d tiles:
-    /// the factor should be a constant of the surface. Devices whose square roots round differently
-    /// have different factors, and so different cells in far tiles.
+    /// For stretched details ([`Grid::stretched`](crate::material::glint::Grid::stretched))
+    /// coordinates are multiplied by a factor. The product is taken exactly; its fraction is right
+    /// to $2^{-22}$ in f32, so stretched cells outside of tile 0 are no smaller than $2^{-19}$. In
+    /// tile 0 they may be smaller: a pixel below that size on a border of tile 0 has other cells
+    /// from there than from the tile beside it. If the factor changes by d, the cells of tile t
+    /// move by t d tiles: the factor should be a constant of the surface. Devices whose square
+    /// roots round differently have different factors, and so different cells in far tiles.
     ///
     /// ```
     /// use lobe::material::cells::Patch;

@@ -67,7 +67,7 @@ impl<R: Real> GlintNdf<R> {
     /// Over a patch of a normal map: its mean tilts the lobe, its covariance spreads the details.
     ///
     /// Cells and the length of details stay the material's. One map over another adds both means
-    /// and both covariances, as [`SlopeMoments::add`](crate::SlopeMoments::add) does.
+    /// and both covariances, as `+` of moments does.
     ///
     /// ```
     /// use lobe::material::cells::Patch;

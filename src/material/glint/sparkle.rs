@@ -110,8 +110,8 @@ impl<R: Real> GlintNdf<R> {
         (smooth * self.sparkle(h, blur)).min(R::MAX)
     }
 
-    /// The BRDF without Fresnel, as [`Ndf::brdf`] of the smooth lobe, times the sparkle, under a
-    /// light that appears with this radius, in radians (0: a point).
+    /// The BRDF without Fresnel, as [`Ndf::brdf`](crate::Ndf::brdf) of the smooth lobe, times the
+    /// sparkle, under a light that appears with this radius, in radians (0: a point).
     #[doc(alias = "lobe_glint_ndf_brdf")]
     pub fn brdf(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>, radius: R) -> R {
         let (wo, wi) = (wo.into(), wi.into());

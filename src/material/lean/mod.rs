@@ -36,8 +36,7 @@
 //!   not move as the lobe's mean carries it. The default; nothing is lost below a texel or beyond a
 //!   pixel;
 //! - moments of the finest level, and a kernel of $d(s_h - \mu)$, the motion of the half vector's
-//!   slope against the mean's: [`Footprint::sub`](crate::Footprint::sub). For maps that are
-//!   magnified.
+//!   slope against the mean's: a difference of footprints. For maps that are magnified.
 //!
 //! Source: Olano & Baker 2010; Kaplanyan et al. 2016, section 5.5; Dupuy et al. 2013.
 

@@ -12,13 +12,14 @@ use crate::slope::Roughness;
 /// From afar it is the Beckmann lobe of its roughness. Where
 /// [`Glints`](crate::material::glint::Glints) draw how many details reflect at each half vector, so
 /// that one pixel's density integrates to 1 on average only, here every cell has a whole density, a
-/// rotated product of two marginals of a [`Dictionary`].
+/// rotated product of two marginals of a [`Dictionary`](super::Dictionary).
 ///
 /// Source: Chermain et al. 2020, 2021a. A dictionary of
-/// [`LobeMeans::Chermain`](super::LobeMeans::Chermain) and [`PatchNdf::with_mips`] are as
-/// published. Ours are: singular values in place of the derivatives' lengths, and aspects up to 8,
-/// where they have 4; levels rounded by chance; the smaller masking in place of the product; no
-/// cell smaller than one facet's square; tables read at their nodes.
+/// [`LobeMeans::Chermain`](super::LobeMeans::Chermain) and
+/// [`PatchNdf::with_mips`](super::PatchNdf::with_mips) are as published. Ours are: singular values
+/// in place of the derivatives' lengths, and aspects up to 8, where they have 4; levels rounded by
+/// chance; the smaller masking in place of the product; no cell smaller than one facet's square;
+/// tables read at their nodes.
 ///
 /// ```
 /// use lobe::Roughness;
