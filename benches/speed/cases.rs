@@ -48,7 +48,7 @@ fn axis_aligned(s: &Sample) -> AxisAligned<f32> {
     AxisAligned::new(s.alphas[0], s.alphas[1]).expect("valid alphas")
 }
 
-fn full(s: &Sample) -> Anisotropic<f32> {
+fn anisotropic(s: &Sample) -> Anisotropic<f32> {
     Anisotropic::new(Roughness::from_matrix(s.matrix))
 }
 
@@ -63,10 +63,10 @@ fn shading() -> Vec<Case> {
         samples.iter().map(|s| (s.alphas, s.wo, s.wi)).collect();
     let round: Vec<_> = samples.iter().map(|s| (isotropic(s), s.wo, s.wi)).collect();
     let aligned: Vec<_> = samples.iter().map(|s| (axis_aligned(s), s.wo, s.wi)).collect();
-    let any: Vec<_> = samples.iter().map(|s| (full(s), s.wo, s.wi)).collect();
-    let tilted: Vec<_> = samples
+    let any: Vec<_> = samples.iter().map(|s| (anisotropic(s), s.wo, s.wi)).collect();
+    let non_centered: Vec<_> = samples
         .iter()
-        .map(|s| (NonCentered::new(full(s), s.mean).expect("a valid mean"), s.wo, s.wi))
+        .map(|s| (NonCentered::new(anisotropic(s), s.mean).expect("a valid mean"), s.wo, s.wi))
         .collect();
     let alpha = |s: &Sample| s.alphas[0];
     let filtered: Vec<_> = samples
@@ -88,8 +88,8 @@ fn shading() -> Vec<Case> {
             hand_written::axis_aligned(a, wo, wi)
         }),
         case(GROUP, "axis_aligned", aligned, |&(shape, wo, wi)| Ggx::new(shape).brdf(wo, wi)),
-        case(GROUP, "full", any, |&(shape, wo, wi)| Ggx::new(shape).brdf(wo, wi)),
-        case(GROUP, "tilted_full", tilted, |&(shape, wo, wi)| Ggx::new(shape).brdf(wo, wi)),
+        case(GROUP, "anisotropic", any, |&(shape, wo, wi)| Ggx::new(shape).brdf(wo, wi)),
+        case(GROUP, "non_centered", non_centered, |&(shape, wo, wi)| Ggx::new(shape).brdf(wo, wi)),
         case(GROUP, "beckmann_isotropic", round, |&(shape, wo, wi)| {
             Beckmann::new(shape).brdf(wo, wi)
         }),
@@ -116,7 +116,7 @@ fn footprints(regime: Regime) -> Vec<Case> {
     let place = |s: &Sample| -> ([f32; 2], Footprint<f32>) { (s.slope, s.footprint) };
     let round: Vec<_> = samples.iter().map(|s| (isotropic(s), place(s))).collect();
     let aligned: Vec<_> = samples.iter().map(|s| (axis_aligned(s), place(s))).collect();
-    let any: Vec<_> = samples.iter().map(|s| (full(s), place(s))).collect();
+    let any: Vec<_> = samples.iter().map(|s| (anisotropic(s), place(s))).collect();
     vec![
         case(group, "appendix_a_by_hand", samples.clone(), |s| {
             hand_written::appendix_a(s.alphas, s.slope, s.footprint.extents())
@@ -130,7 +130,7 @@ fn footprints(regime: Regime) -> Vec<Case> {
         case(group, "axis_aligned", aligned, |&(shape, (slope, ref footprint))| {
             Ggx::new(shape).parallelogram_mean(slope, footprint)
         }),
-        case(group, "full", any, |&(shape, (slope, ref footprint))| {
+        case(group, "anisotropic", any, |&(shape, (slope, ref footprint))| {
             Ggx::new(shape).parallelogram_mean(slope, footprint)
         }),
     ]

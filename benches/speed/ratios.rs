@@ -18,8 +18,8 @@ const PROMISES: [(&str, &str, &str); 6] = [
 /// What more roughness, or a check per sample, costs.
 const COSTS: [&str; 7] = [
     "isotropic_per_sample",
-    "full",
-    "tilted_full",
+    "anisotropic",
+    "non_centered",
     "beckmann_isotropic",
     "variance_addition",
     "peak_fitted",
@@ -113,7 +113,7 @@ pub(crate) fn print(cases: &mut [Case]) {
     }
     for regime in Regime::ALL {
         print_ratio(cases, regime.name(), "appendix_a_by_hand", "appendix_a", "");
-        for subject in ["isotropic", "axis_aligned", "full"] {
+        for subject in ["isotropic", "axis_aligned", "anisotropic"] {
             print_ratio(cases, regime.name(), subject, "appendix_a", "");
         }
     }

@@ -332,11 +332,11 @@ fn a_lobe_keeps_what_it_was_made_of() {
             && lobe.with_roughness(other).mean() == input.mean
             && Lobe::centered(other).mean() == [0.0; 2];
         crate::common::ensure(kept, "mean and roughness are kept", &input)?;
-        let full = Anisotropic::from(lobe.roughness());
+        let anisotropic = Anisotropic::from(lobe.roughness());
         let want = input.ellipse.root_det();
         // Rounded entries: an ulp over 1 - rho^2.
         let skew = 8.0 * ULP / (1.0 - input.ellipse.rho.abs());
-        near(full.root_det(), want, skew * want, &input)
+        near(anisotropic.root_det(), want, skew * want, &input)
     });
 }
 

@@ -77,8 +77,8 @@ fn a_mirror_seen_in_a_pixel_is_as_bright_as_its_area_is_small() {
     for alpha in DECADES.map(|alpha| alpha as f32).into_iter().filter(|alpha| *alpha <= 1e-7) {
         let lobe = Roughness::from_alpha(alpha).expect("in range");
         let round = Ggx::new(Isotropic::new(alpha).expect("in range")).brdf_over(wo, wi, &over);
-        let full = Ggx::new(Anisotropic::new(lobe)).brdf_over(wo, wi, &over);
-        for got in [round, full] {
+        let anisotropic = Ggx::new(Anisotropic::new(lobe)).brdf_over(wo, wi, &over);
+        for got in [round, anisotropic] {
             assert!((got / 3906.25 - 1.0).abs() < 1e-6, "{got} at alpha {alpha:e}");
         }
     }
@@ -107,11 +107,11 @@ fn tends_to_the_mirror<R: Real>(source: &mut Source) -> TestCaseResult {
         let alpha = R::lit(alpha);
         let round =
             NonCentered::new(Isotropic::new(alpha).expect("in range"), mean).expect("finite");
-        let full = Anisotropic::new(Roughness::from_alpha(alpha).expect("in range"));
-        let full = NonCentered::new(full, mean).expect("finite");
+        let anisotropic = Anisotropic::new(Roughness::from_alpha(alpha).expect("in range"));
+        let anisotropic = NonCentered::new(anisotropic, mean).expect("finite");
         let got = [
             Ggx::new(round).parallelogram_mean(center, &footprint),
-            Ggx::new(full).parallelogram_mean(center, &footprint),
+            Ggx::new(anisotropic).parallelogram_mean(center, &footprint),
         ];
         let exact_alpha = alpha.to_f64();
         let beyond = exact_alpha * exact_alpha;
@@ -578,14 +578,14 @@ fn odd_numbers_have_a_mean<R: Real>(source: &mut Source) -> TestCaseResult {
     let pair = source.pair().map(|w| w.map(R::lit));
     let angle = R::lit(source.angle());
     let mean = source.mean().map(R::lit);
-    let full = Anisotropic::new(Roughness::from_alphas(x, y, angle).expect("in range"));
-    let full = NonCentered::new(full, mean).expect("a finite mean");
+    let anisotropic = Anisotropic::new(Roughness::from_alphas(x, y, angle).expect("in range"));
+    let anisotropic = NonCentered::new(anisotropic, mean).expect("a finite mean");
     let aligned = AxisAligned::new(x, y).expect("in range");
     let got = [
-        Ggx::new(full).parallelogram_mean([s, t], &footprint),
+        Ggx::new(anisotropic).parallelogram_mean([s, t], &footprint),
         Ggx::new(aligned).parallelogram_mean([s, t], &footprint),
         Ggx::new(aligned).rectangle_mean([s, t], [a, d]),
-        Ggx::new(full).brdf_over(pair[0], pair[1], &any),
+        Ggx::new(anisotropic).brdf_over(pair[0], pair[1], &any),
         Ggx::new(aligned).brdf_over(pair[0], pair[1], &any),
         beckmann_rectangle_mean([x, y], [s, t], [a, d]),
     ];

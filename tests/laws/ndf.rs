@@ -108,16 +108,17 @@ fn shapes_agree<D: Known>(source: &mut Source) -> TestCaseResult {
     let inputs = (alpha, other);
     let round = Isotropic::new(alpha).expect("alpha > 0");
     let square = AxisAligned::new(alpha, alpha).expect("alphas > 0");
-    let full = Anisotropic::new(Roughness::from_alpha(alpha).expect("alpha > 0"));
-    let tilted = NonCentered::new(round, [0.0; 2]).expect("a finite mean");
+    let anisotropic = Anisotropic::new(Roughness::from_alpha(alpha).expect("alpha > 0"));
+    let non_centered = NonCentered::new(round, [0.0; 2]).expect("a finite mean");
     agree::<D>(round, square, source, &inputs)?;
-    agree::<D>(round, full, source, &inputs)?;
-    agree::<D>(round, tilted, source, &inputs)?;
+    agree::<D>(round, anisotropic, source, &inputs)?;
+    agree::<D>(round, non_centered, source, &inputs)?;
     let oblong = AxisAligned::new(alpha, other).expect("alphas > 0");
-    let full = Anisotropic::new(Roughness::from_alphas(alpha, other, 0.0).expect("alphas > 0"));
-    agree::<D>(oblong, full, source, &inputs)?;
+    let anisotropic =
+        Anisotropic::new(Roughness::from_alphas(alpha, other, 0.0).expect("alphas > 0"));
+    agree::<D>(oblong, anisotropic, source, &inputs)?;
     let mean = source.mean();
-    let (one, two) = (NonCentered::new(oblong, mean), NonCentered::new(full, mean));
+    let (one, two) = (NonCentered::new(oblong, mean), NonCentered::new(anisotropic, mean));
     agree::<D>(one.expect("finite"), two.expect("finite"), source, &(inputs, mean))
 }
 
@@ -133,11 +134,11 @@ fn shapes_agree_on_means_over_footprints() {
         let (x, y) = (source.alpha(), source.alpha());
         let (slope, footprint) = (source.slope(), source.footprint());
         let aligned = lobe::Ggx::new(AxisAligned::new(x, y).expect("alphas > 0"));
-        let full = Roughness::from_alphas(x, y, 0.0).expect("alphas > 0");
-        let full = lobe::Ggx::new(Anisotropic::new(full));
+        let anisotropic = Roughness::from_alphas(x, y, 0.0).expect("alphas > 0");
+        let anisotropic = lobe::Ggx::new(Anisotropic::new(anisotropic));
         let (a, b) = (
             aligned.parallelogram_mean(slope, &footprint),
-            full.parallelogram_mean(slope, &footprint),
+            anisotropic.parallelogram_mean(slope, &footprint),
         );
         // Each errs by less than 1e-9, as documented.
         near(a, b, 2e-9 * b, &(x, y, slope, footprint))?;

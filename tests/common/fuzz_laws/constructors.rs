@@ -164,9 +164,9 @@ fn footprint<R: Real>(input: &mut Bytes) {
         assert!(diameter.is_finite(), "diameter {diameter} of {footprint:?}");
         let limit = input.number::<R>().abs();
         if limit >= R::ZERO {
-            let rescaled = footprint.capped(limit).diameter();
+            let capped = footprint.capped(limit).diameter();
             let slack = limit * R::lit(16.0) * R::EPSILON + R::MIN_POSITIVE;
-            assert!(rescaled <= limit + slack, "{rescaled} of {footprint:?} limited to {limit}");
+            assert!(capped <= limit + slack, "{capped} of {footprint:?} limited to {limit}");
         }
     }
 }

@@ -39,12 +39,16 @@ pub(crate) fn precision(bytes: &[u8]) {
     let aligned = AxisAligned::new(alpha_x, alpha_y).expect(valid);
     scene.compare(aligned, AxisAligned::new(wide_x, wide_y).expect(valid));
     let [xx, xy, yy] = scene.matrix;
-    let full = Anisotropic::new(Roughness::from_matrix(Psd::new(xx, xy, yy).expect(valid)));
+    let anisotropic = Anisotropic::new(Roughness::from_matrix(Psd::new(xx, xy, yy).expect(valid)));
     let [xx, xy, yy] = scene.matrix.map(f64::from);
-    let wide_full = Anisotropic::new(Roughness::from_matrix(Psd::new(xx, xy, yy).expect(valid)));
-    scene.compare(full, wide_full);
-    let tilted = NonCentered::new(full, scene.mean).expect(valid);
-    scene.compare(tilted, NonCentered::new(wide_full, scene.mean.map(f64::from)).expect(valid));
+    let wide_anisotropic =
+        Anisotropic::new(Roughness::from_matrix(Psd::new(xx, xy, yy).expect(valid)));
+    scene.compare(anisotropic, wide_anisotropic);
+    let non_centered = NonCentered::new(anisotropic, scene.mean).expect(valid);
+    scene.compare(
+        non_centered,
+        NonCentered::new(wide_anisotropic, scene.mean.map(f64::from)).expect(valid),
+    );
 }
 
 impl Scene {

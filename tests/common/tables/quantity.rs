@@ -135,8 +135,10 @@ impl Quantity {
                 |x| Ok(slope_pdf(&Beckmann::new(lobe(&x[2..])?), x))
             }
             Formula::SlopePdf(Name::Ggx) => |x| Ok(slope_pdf(&Ggx::new(lobe(&x[2..])?), x)),
-            Formula::D(Name::Beckmann) => |x| Ok(vec![Beckmann::new(full(&x[3..])?).d(vector(x))]),
-            Formula::D(Name::Ggx) => |x| Ok(vec![Ggx::new(full(&x[3..])?).d(vector(x))]),
+            Formula::D(Name::Beckmann) => {
+                |x| Ok(vec![Beckmann::new(anisotropic(&x[3..])?).d(vector(x))])
+            }
+            Formula::D(Name::Ggx) => |x| Ok(vec![Ggx::new(anisotropic(&x[3..])?).d(vector(x))]),
             Formula::ProjectedArea(Name::Beckmann) => {
                 |x| Ok(vec![Beckmann::new(lobe(&x[3..])?).projected_area(vector(x))])
             }
@@ -144,9 +146,11 @@ impl Quantity {
                 |x| Ok(vec![Ggx::new(lobe(&x[3..])?).projected_area(vector(x))])
             }
             Formula::Lambda(Name::Beckmann) => {
-                |x| Ok(vec![Beckmann::new(full(&x[3..])?).lambda(vector(x))])
+                |x| Ok(vec![Beckmann::new(anisotropic(&x[3..])?).lambda(vector(x))])
             }
-            Formula::Lambda(Name::Ggx) => |x| Ok(vec![Ggx::new(full(&x[3..])?).lambda(vector(x))]),
+            Formula::Lambda(Name::Ggx) => {
+                |x| Ok(vec![Ggx::new(anisotropic(&x[3..])?).lambda(vector(x))])
+            }
             Formula::Brdf(Name::Beckmann) => {
                 |x| Ok(vec![Beckmann::new(lobe(&x[6..])?).brdf(vector(x), vector(&x[3..]))])
             }
@@ -164,7 +168,9 @@ impl Quantity {
             },
             Formula::GgxParallelogram => |x| {
                 let footprint = Footprint::from_slopes([x[2], x[3]], [x[4], x[5]]);
-                Ok(vec![Ggx::new(full(&x[6..])?).parallelogram_mean([x[0], x[1]], &footprint)])
+                Ok(vec![
+                    Ggx::new(anisotropic(&x[6..])?).parallelogram_mean([x[0], x[1]], &footprint),
+                ])
             },
             Formula::GgxGaussian => |x| {
                 let kernel = Kernel::from_covariance(Psd::new(x[2], x[3], x[4])?);
@@ -213,7 +219,7 @@ fn roughness<R: Real>(x: &[R]) -> Result<Roughness<R>, Error> {
     Ok(Roughness::from_matrix(Psd::new(x[0], x[1], x[2])?))
 }
 
-fn full<R: Real>(x: &[R]) -> Result<Anisotropic<R>, Error> {
+fn anisotropic<R: Real>(x: &[R]) -> Result<Anisotropic<R>, Error> {
     Ok(Anisotropic::new(roughness(x)?))
 }
 

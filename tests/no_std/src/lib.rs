@@ -3,7 +3,7 @@
 #![forbid(unsafe_code)]
 
 use lobe::material::Fresnel;
-use lobe::material::leadr::{Quadrature, Leadr, Normalization, Shadowing};
+use lobe::material::leadr::{Leadr, Normalization, Quadrature, Shadowing};
 use lobe::shade::Material;
 use lobe::{
     Beckmann, Error, Footprint, Ggx, Isotropic, Kernel, Lobe, PixelFilter, Roughness, filter,

@@ -27,7 +27,7 @@ fn axis_aligned<R: Real>(x: &mut Reader<'_>) -> AxisAligned<R> {
     AxisAligned::new(alpha_x, alpha_y).expect("drawn alphas are in range")
 }
 
-fn tilted<R: Real>(x: &mut Reader<'_>) -> NonCentered<Anisotropic<R>> {
+fn non_centered<R: Real>(x: &mut Reader<'_>) -> NonCentered<Anisotropic<R>> {
     x.lobe().shape()
 }
 
@@ -234,30 +234,30 @@ super::twins! {
         "lobe_non_centered_mean_area(
             lobe_non_centered_new(lobe_anisotropic_new($0), $1), $2
         )" => |x| {
-        let full = Anisotropic::new(x.roughness::<R>());
-        let shape = NonCentered::new(full, x.vec::<R, 2>()).expect("in range");
+        let anisotropic = Anisotropic::new(x.roughness::<R>());
+        let shape = NonCentered::new(anisotropic, x.vec::<R, 2>()).expect("in range");
         shape.mean_area(x.vec())
     };
     "non_centered_form" (Lobe, Direction) "lobe_non_centered_form(lobe_lobe_shape($0), $1, \
         vec3f(0.0, 0.0, 0.0))" => |x| {
-        let shape = tilted::<R>(x);
+        let shape = non_centered::<R>(x);
         shape.form(x.vec(), [R::ZERO; 3])
     };
     "non_centered_offset" (Lobe, Slope) "four(lobe_non_centered_offset(lobe_lobe_shape($0), \
         $1))" => |x| {
-        let shape = tilted::<R>(x);
+        let shape = non_centered::<R>(x);
         let (high, low) = shape.offset(x.vec());
         [high, low]
     };
     "non_centered_mean_area" (Lobe, Direction) "lobe_non_centered_mean_area(lobe_lobe_shape($0), \
         $1)" => |x| {
-        let shape = tilted::<R>(x);
+        let shape = non_centered::<R>(x);
         shape.mean_area(x.vec())
     };
     "new" (Lobe) "$0" => |x| x.lobe::<R>();
     "lobe_centered" (Roughness) "lobe_lobe_centered($0)" => |x| Lobe::centered(x.roughness::<R>());
     "lobe_shape" (Lobe, Direction) "lobe_non_centered_form(lobe_lobe_shape($0), $1, $1)" => |x| {
-        let shape = tilted::<R>(x);
+        let shape = non_centered::<R>(x);
         let m = x.vec();
         shape.form(m, m)
     };
