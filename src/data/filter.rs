@@ -17,7 +17,7 @@ data!("DiskKernel", DiskKernel<R> {
 data!("SphericalGaussian", SphericalGaussian<R> {
     direction: [R; 3] = light.direction(),
     sharpness: R = light.sharpness(),
-} |light| => Self::new(direction, sharpness));
+} |light| => Self::restored(direction, sharpness));
 
 /// A pixel filter is its variance, a number.
 impl Serialize for PixelFilter {

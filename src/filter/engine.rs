@@ -48,6 +48,7 @@ pub enum Engine {
 /// A filter that adds $\min(c\, (|\Delta n_u|^2 + |\Delta n_v|^2), \mathrm{cap})$ to alpha^2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct AddedVariance {
     /// What multiplies the squared derivatives.
     pub coefficient: f64,

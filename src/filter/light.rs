@@ -74,6 +74,15 @@ impl<R: Real> SphericalGaussian<R> {
         })
     }
 
+    /// [`SphericalGaussian::new`] of a direction that it has returned: taken as it is, as another
+    /// normalization could change its last bit.
+    #[cfg(feature = "serde")]
+    pub(crate) fn restored(direction: [R; 3], sharpness: R) -> Result<Self, Error> {
+        let made = Self::new(direction, sharpness)?;
+        let is_unit = (dot(direction, direction) - R::ONE).abs() <= R::lit(4.0) * R::EPSILON;
+        Ok(if is_unit { Self { direction, ..made } } else { made })
+    }
+
     /// The unit direction of the brightest point.
     pub const fn direction(&self) -> [R; 3] {
         self.direction

@@ -34,6 +34,7 @@ pub struct Psd<R> {
 #[doc(alias = "LobeEigen")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Eigen<R> {
     /// The larger eigenvalue.
     pub major: R,

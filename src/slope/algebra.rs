@@ -1,4 +1,4 @@
-//! Algebra of slope moments: layers of relief that add, lean, stretch and turn.
+//! Algebra of slope moments: reliefs that add, lean, stretch and turn.
 //!
 //! Layer 1. Heights add, so slopes add; texture coordinates are linear in position, so slopes
 //! transform linearly. Blending by area is [`SlopeMoments::merged`].
@@ -13,7 +13,7 @@ use core::ops::{Add, Mul};
 impl<R: Real> Add for SlopeMoments<R> {
     type Output = Self;
 
-    /// Two independent layers of relief, one on the other: $\mu_1 + \mu_2$, $\Sigma_1 + \Sigma_2$.
+    /// Two independent reliefs, one on the other: $\mu_1 + \mu_2$, $\Sigma_1 + \Sigma_2$.
     ///
     /// Source: Olano & Baker 2010, section 5 (their raw moments also need $\mu_1 \mu_2^T + \mu_2
     /// \mu_1^T$, which central ones do not).
@@ -56,7 +56,7 @@ impl<R: Real> Mul<R> for SlopeMoments<R> {
 }
 
 impl<R: Real> SlopeMoments<R> {
-    /// Two layers that know of each other: $\Sigma_1 + \Sigma_2 + C + C^T$ with
+    /// Two reliefs that are correlated: $\Sigma_1 + \Sigma_2 + C + C^T$ with
     /// $C = \mathrm{E}\,s_1 s_2^T - \mu_1 \mu_2^T$, rows first.
     ///
     /// A `cross` that the two covariances do not allow can make the sum indefinite: its negative
@@ -67,15 +67,15 @@ impl<R: Real> SlopeMoments<R> {
     ///
     /// ```
     /// use lobe::{Roughness, SlopeMoments};
-    /// let layer = SlopeMoments::new(
+    /// let relief = SlopeMoments::new(
     ///     [0.1_f64, 0.0],
     ///     Roughness::from_sigma_rho(0.3, 0.2, 0.0)?.covariance(),
     /// )?;
-    /// // A layer on itself is twice as high, on its negative flat.
+    /// // A relief on itself is twice as high, on its negative flat.
     /// let cross = [[0.09, 0.0], [0.0, 0.04]];
-    /// let (twice, same) = (layer * 2.0, layer.plus_correlated(&layer, cross));
+    /// let (twice, same) = (relief * 2.0, relief.plus_correlated(&relief, cross));
     /// assert!((twice.covariance().trace() - same.covariance().trace()).abs() < 1e-14);
-    /// let flat = layer.plus_correlated(&(layer * -1.0), cross.map(|row| row.map(|c| -c)));
+    /// let flat = relief.plus_correlated(&(relief * -1.0), cross.map(|row| row.map(|c| -c)));
     /// assert!(flat.covariance().trace() < 1e-14);
     /// # Ok::<(), lobe::Error>(())
     /// ```
@@ -93,7 +93,7 @@ impl<R: Real> SlopeMoments<R> {
         Self::bounded([x + p, y + q], covariance)
     }
 
-    /// $C = \mathrm{E}\,s_1 s_2^T - \mu_1 \mu_2^T$ of two layers from their stored cross moment
+    /// $C = \mathrm{E}\,s_1 s_2^T - \mu_1 \mu_2^T$ of two reliefs from their stored cross moment
     /// $\mathrm{E}\,s_1 s_2^T$, both rows first, by compensated products.
     ///
     /// ```

@@ -27,6 +27,7 @@ use core::ops::{Mul, Sub};
 #[doc(alias = "lobe_footprint_sub")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Footprint<R> {
     /// Derivative along the screen's first axis, slope per pixel.
     pub u: [R; 2],

@@ -25,6 +25,7 @@ use crate::scalar::Real;
 #[doc(alias = "LobeMotion")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Motion<R> {
     /// Change of the half vector, the frame held fixed: of $w_o + w_i$, or of any multiple of it,
     /// the same that [`Footprint::from_motion`] is given.

@@ -23,6 +23,7 @@ use crate::scalar::Real;
 #[doc(alias = "LobeVertex")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Vertex<R> {
     /// Unit vector from the shaded point, tangent frame.
     pub direction: [R; 3],
@@ -76,6 +77,7 @@ impl<R: Real> Vertex<R> {
 #[doc(alias = "LobePath")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Path<R> {
     /// The viewer.
     pub eye: Vertex<R>,

@@ -41,6 +41,7 @@ pub struct Roughness<R> {
 #[doc(alias = "LobeAlphas")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Alphas<R> {
     /// alpha along the major axis: the larger.
     pub major: R,
@@ -190,7 +191,7 @@ impl<R: Real> Roughness<R> {
 impl<R: Real> Add for Roughness<R> {
     type Output = Self;
 
-    /// The sum of two roughness matrices: independent layers of slopes.
+    /// The sum of two roughness matrices: independent slopes add.
     #[inline]
     fn add(self, other: Self) -> Self {
         Self { matrix: self.matrix + other.matrix }

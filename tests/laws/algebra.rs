@@ -1,5 +1,5 @@
-//! The algebra of layers against sets of slopes that are added, scaled, leant, stretched and turned
-//! one by one; and what a pixel adds to a map.
+//! The algebra of reliefs against sets of slopes that are added, scaled, leant, stretched and
+//! turned one by one; and what a pixel adds to a map.
 
 use crate::common::arbitrary::Source;
 use crate::common::{check, near, near_all};
@@ -59,7 +59,7 @@ fn correlated_layers_are_their_slopes_one_by_one() {
         let (one, other) = (moments(&a), moments(&b));
         let cross = one.cross_covariance(&other, raw);
         same(&one.plus_correlated(&other, cross), &moments(&sums), &(&a, &b))?;
-        // Independent layers have no cross moment but that of their means.
+        // Independent reliefs have no cross moment but that of their means.
         same(&one.plus_correlated(&other, [[0.0; 2]; 2]), &(one + other), &(a, b))
     });
 }

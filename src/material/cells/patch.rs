@@ -21,6 +21,7 @@ use crate::scalar::exact::cross;
 #[doc(alias = "LobePatch")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Patch<R> {
     /// Whole numbers to be added to `uv`: 0 of plain coordinates.
     pub tile: [i32; 2],

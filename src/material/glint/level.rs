@@ -26,6 +26,7 @@ pub(super) const FARTHEST: i32 = 20;
 #[doc(alias = "LobeCoveredCell")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct CoveredCell<R> {
     /// The cell's center, in cells from the origin of the coordinates.
     pub index: [i64; 2],

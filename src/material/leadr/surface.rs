@@ -55,6 +55,7 @@ pub struct Leadr<R: Real> {
 #[doc(alias = "LobeNode")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Node<R> {
     /// Where: independent deviations along two axes.
     pub place: [R; 2],
@@ -68,6 +69,7 @@ pub struct Node<R> {
 #[doc(alias = "LobeFacet")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Facet<R> {
     /// Its unit normal.
     pub normal: [R; 3],

@@ -98,6 +98,7 @@ pub struct SlopeCap<R> {
 /// How many of how many texels a cap touched.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct ClippedTexels {
     /// Texels that the cap shortened, or that had no direction.
     pub texels: usize,

@@ -34,6 +34,7 @@ pub enum LobeMeans {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Recipe {
     /// How many marginals there are to pick from: 1 to 65536.
     pub marginals: u32,

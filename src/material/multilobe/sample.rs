@@ -13,6 +13,7 @@ use crate::slope::direction::{dot, half_vector, normal_of, reflect};
 #[doc(alias = "LobeDirectionSample")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct DirectionSample<R> {
     /// Towards the light.
     pub wi: [R; 3],

@@ -1,4 +1,4 @@
-// Layers of relief that add, lean, stretch and turn. Rust: src/slope/algebra.rs.
+// Reliefs that add, lean, stretch and turn. Rust: src/slope/algebra.rs.
 
 // Rust: `SlopeMoments::add`.
 fn lobe_slope_moments_add(moments: LobeSlopeMoments, other: LobeSlopeMoments) -> LobeSlopeMoments {

@@ -1,5 +1,5 @@
 //! Maps and what is made of them: slopes within their cap, moments valid at every level and
-//! everywhere between, layers and stored texels valid, displaced surfaces finite, whatever the
+//! everywhere between, sums and stored texels valid, displaced surfaces finite, whatever the
 //! numbers.
 
 use super::bytes::Bytes;
@@ -21,7 +21,7 @@ fn any<R: Real>(input: &mut Bytes) {
     match input.byte() % 5 {
         0 => texels::<R>(input),
         1 => chain::<R>(input),
-        2 => layers::<R>(input),
+        2 => reliefs::<R>(input),
         3 => stored(input),
         _ => relief::<R>(input),
     }
@@ -82,7 +82,7 @@ fn moments<R: Real>(input: &mut Bytes) -> Option<SlopeMoments<R>> {
     SlopeMoments::new(mean, Psd::new(xx, xy, yy).ok()?).ok()
 }
 
-fn layers<R: Real>(input: &mut Bytes) {
+fn reliefs<R: Real>(input: &mut Bytes) {
     let (Some(one), Some(other)) = (moments::<R>(input), moments::<R>(input)) else { return };
     let from = (one, other);
     valid_moments(&(one + other), &from);

@@ -223,8 +223,9 @@ fn mirrors_and_zero_kernels_within_the_tolerance() {
 fn a_mirror_is_dark() {
     let mirror = |twin: &Twin| {
         let of_lobes = [Input::Alpha, Input::Alphas, Input::Roughness, Input::Lobe];
-        let dark =
-            ["_d", "_brdf", "_slope_pdf", "_unshadowed"].iter().any(|end| twin.name.ends_with(end));
+        let dark = ["_d", "_brdf", "_slope_pdf", "_unshadowed_brdf_cos"]
+            .iter()
+            .any(|end| twin.name.ends_with(end));
         let first = twin.inputs[0];
         (dark && of_lobes.contains(&first)).then_some(first.floats())
     };

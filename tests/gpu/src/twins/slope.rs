@@ -254,7 +254,7 @@ super::twins! {
         let shape = non_centered::<R>(x);
         shape.mean_area(x.vec())
     };
-    "new" (Lobe) "$0" => |x| x.lobe::<R>();
+    "lobe_new" (Lobe) "$0" => |x| x.lobe::<R>();
     "lobe_centered" (Roughness) "lobe_lobe_centered($0)" => |x| Lobe::centered(x.roughness::<R>());
     "lobe_shape" (Lobe, Direction) "lobe_non_centered_form(lobe_lobe_shape($0), $1, $1)" => |x| {
         let shape = non_centered::<R>(x);
