@@ -37,6 +37,14 @@ impl PartialEq for Value {
 
 impl Eq for Value {}
 
+impl core::hash::Hash for Value {
+    fn hash<H: core::hash::Hasher>(&self, state: &mut H) {
+        // One pattern for all that is NaN, as they are equal.
+        let bits = if self.0.is_nan() { u64::MAX } else { self.0.to_bits() };
+        bits.hash(state);
+    }
+}
+
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let single = self.0 as f32;
@@ -77,11 +85,11 @@ macro_rules! errors {
         /// assert_eq!(error, Error::Alpha((-1.0_f32).into()));
         /// assert_eq!(error.to_string(), "alpha = -1 is not in [0, 1e9]");
         /// ```
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[non_exhaustive]
         pub enum Error {
             $(
-                #[doc = concat!("The parameter `", $name, "` is not in `", $range, "`.")]
+                #[doc = concat!("`", $name, "` is not in `", $range, "`.")]
                 $number(Value),
             )*
             $(
@@ -107,56 +115,64 @@ macro_rules! errors {
 
 errors! {
     numbers: {
-    Alpha "alpha" "[0, 1e9]";
-    AlphaX "alpha_x" "[0, 1e9]";
-    AlphaY "alpha_y" "[0, 1e9]";
-    Angle "angle" "the finite numbers";
-    Perceptual "perceptual roughness" "[0, 1]";
-    SigmaX "sigma_x" "[0, 1e9]";
-    SigmaY "sigma_y" "[0, 1e9]";
-    Sigma "sigma" "[0, 1e9]";
-    Width "width" "[0, 1e9]";
-    Sharpness "sharpness" "[1e-9, 1e18]";
-    Radius "radius" "[2e-9, 6e4]";
-    Rho "rho" "[-1, 1]";
-    MatrixEntry "matrix entry" "[-1e18, 1e18]";
-    Mean "component of the mean slope" "[-1e9, 1e9]";
-    Variance "variance" "[0, 1e9]";
-    Limit "limit" "[0, inf]";
-    Weight "weight" "[0, inf)";
-    Reflectance "reflectance at normal incidence" "[0, 1]";
-    Eta "eta" "(0, 1e9]";
-    K "k" "[0, 1e9]";
-    Cap "slope cap" "(0, 1e9]";
-    Texel "distance of texels" "[1e-9, 1e9], of either sign";
-    Displacement "displacement" "[-1e9, 1e9]";
-    MeanLength "length of a mean normal" "(0, 1 + sqrt(3)/254]";
-    Exponent "exponent" "[0, 1e9]";
-    Spacing "spacing of nodes" "(0, 10]";
-    Range "range of stored slopes" "(1e-9, 1e9]";
-    HalfRange "range of slopes stored in halves" "(1e-9, 255]";
-    Fraction "fraction of roughness" "(0, 1]";
-    Density "density of details" "[1e-18, 1e18]";
-    Variation "variation" "[0, 4]";
-    Share "share" "[0, 1]";
-    Facets "density of facets" "[1e-18, 1e30]";
-    RootDet "root_det" "the rounding of the root of the entries' determinant";
+        Alpha "alpha" "[0, 1e9]";
+        AlphaX "alpha_x" "[0, 1e9]";
+        AlphaY "alpha_y" "[0, 1e9]";
+        Angle "angle" "(-inf, inf)";
+        Perceptual "perceptual" "[0, 1]";
+        SigmaX "sigma_x" "[0, 1e9]";
+        SigmaY "sigma_y" "[0, 1e9]";
+        Sigma "sigma" "[0, 1e9]";
+        Width "width" "[0, 1e9]";
+        Sharpness "sharpness" "[1e-9, 1e18]";
+        Radius "radius" "[2e-9, 6e4]";
+        Rho "rho" "[-1, 1]";
+        MatrixEntry "matrix entry" "[-1e18, 1e18]";
+        Mean "mean" "[-1e9, 1e9]";
+        Variance "variance" "[0, 1e9]";
+        Added "added" "[0, 1e9]";
+        Limit "limit" "[0, inf]";
+        Weight "weight" "[0, inf)";
+        WeightSum "sum of weights" "(0, inf)";
+        Reflectance "reflectance at normal incidence" "[0, 1]";
+        Eta "eta" "(0, 1e9]";
+        K "k" "[0, 1e9]";
+        Cap "steepest" "(0, 1e9]";
+        Texel "texel" "[1e-9, 1e9], of either sign";
+        Displacement "displacement" "[-1e9, 1e9]";
+        MeanLength "length" "(0, 1 + sqrt(3)/254]";
+        Exponent "exponent" "[0, 1e9]";
+        Spacing "spacing" "(0, 10]";
+        Range "range" "(1e-9, 1e9]";
+        HalfRange "range of halves" "(1e-9, 255]";
+        Fraction "fraction" "(0, 1]";
+        Density "density" "[1e-18, 1e18]";
+        Variation "variation" "[0, 4]";
+        Share "share" "[0, 1]";
+        Facets "density" "[1e-18, 1e30]";
     }
     others: {
         /// The matrix of the entries xx, xy and yy has a negative eigenvalue.
         MatrixNotPositive([Value; 3]),
-        /// All weights are 0.
-        Weights,
+        /// The root of a determinant is not that of the matrix with the entries xx, xy and yy.
+        RootDet { root_det: Value, entries: [Value; 3] },
+        /// A material's data are of another distribution than the one of this name.
+        Distribution { expected: &'static str },
         /// Slices that belong together differ in length.
         Length { expected: usize, found: usize },
         /// A half vector is not finite or does not point above the surface, so it has no slope.
         HalfVector([Value; 3]),
         /// A derivative of the half vector's slope is not finite.
         Derivative([Value; 2]),
+        /// The average of the normals of a quad is not finite, or not above all of its surfaces.
+        QuadNormal([Value; 3]),
         /// A position or direction has no length, or is infinite or NaN.
         Direction([Value; 3]),
         /// A map's size and the number of its texels differ, or it has none.
         MapSize { size: [usize; 2], texels: usize },
+        /// The side of a cube map's faces is no power of two, or its texels are not those of all
+        /// levels.
+        CubeMap { face: usize, texels: usize },
         /// A quadrature has no node.
         NoNode,
         /// The number of a recipe's marginals is not in [1, 65536].
@@ -210,7 +226,12 @@ impl fmt::Display for Error {
             Self::MatrixNotPositive([xx, xy, yy]) => {
                 write!(f, "matrix [[{xx}, {xy}], [{xy}, {yy}]] is not positive semi-definite")
             }
-            Self::Weights => f.write_str("all weights are 0"),
+            Self::RootDet { root_det, entries: [xx, xy, yy] } => write!(
+                f,
+                "root_det = {root_det} is not the root of the determinant of [[{xx}, {xy}], \
+                 [{xy}, {yy}]]"
+            ),
+            Self::Distribution { expected } => write!(f, "distribution is not {expected}"),
             Self::Length { expected, found } => {
                 write!(f, "slices differ in length: {found} is not {expected}")
             }
@@ -220,11 +241,20 @@ impl fmt::Display for Error {
             Self::Derivative(d) => {
                 write!(f, "derivative {} of the half vector's slope is not finite", Tuple(d))
             }
+            Self::QuadNormal(n) => {
+                write!(f, "average normal {} of a quad is not above its surfaces", Tuple(n))
+            }
             Self::Direction(w) => {
                 write!(f, "direction or position {} is not finite, or has no length", Tuple(w))
             }
             Self::MapSize { size: [width, height], texels } => {
                 write!(f, "a map of {width} x {height} texels cannot have {texels}")
+            }
+            Self::CubeMap { face, texels } => {
+                write!(
+                    f,
+                    "a cube map of faces {face} wide, a power of two, cannot have {texels} texels"
+                )
             }
             Self::NoNode => f.write_str("a quadrature of 0 nodes has no sum"),
             Self::Marginals(n) => write!(f, "marginals = {n} is not in [1, 65536]"),

@@ -113,7 +113,7 @@
 //! | `glint` (default) | [`material::glint`], [`material::multilobe`]; needs an allocator |
 //! | `wgsl` (default) | the same functions in WGSL, as text: [`mod@wgsl`]; needs an allocator |
 //! | `probe` | precisions that count operations and bound rounding: for checks, not for shading |
-//! | `serde` | `Serialize` and `Deserialize` of plain data, checked as constructors check |
+//! | `serde` | `Serialize` and `Deserialize` of plain data, by constructors where there are any |
 //! | `bytemuck` | plain structures for buffers, laid out as those of the port: `gpu` |
 //! | `glam` | `From` and `TryFrom` between [`Psd`] and `glam::Mat2`, `glam::DMat2` |
 //!

@@ -1,7 +1,8 @@
 //! What most callers need, for `use lobe::prelude::*`.
 //!
 //! Types and traits of the core, from roughness to distributions. [`Error`](crate::Error) is left
-//! out, as callers have one of their own, like everything that a scene may or may not need.
+//! out, as callers have one of their own, and [`Real`](crate::Real), whose methods would meet those
+//! of other traits over floats; so is everything that a scene may or may not need.
 //!
 //! ```
 //! use lobe::prelude::*;
@@ -14,7 +15,7 @@
 
 pub use crate::filter::{Kernel, PixelFilter};
 pub use crate::ndf::{Beckmann, Distribution, Ggx, Ndf};
-pub use crate::scalar::{Psd, Real};
+pub use crate::scalar::Psd;
 pub use crate::slope::{
     Anisotropic, AxisAligned, Footprint, Isotropic, Lobe, LobeShape, NonCentered, Roughness,
     SlopeMoments,

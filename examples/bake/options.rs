@@ -158,7 +158,7 @@ impl Options {
         };
         let (displacement, texel) = (height.single, distance.single);
         if !(texel > 0.0) {
-            return Err(format!("--texel {distance}: a distance must be positive"));
+            return Err(format!("--texel {distance}: texel = {texel} is not in [1e-9, 1e9]"));
         }
         // Rows count down, y points up.
         let down = if self.flip_y { texel } else { -texel };
@@ -167,7 +167,9 @@ impl Options {
         // Checked with one texel, before there are any.
         match HeightField::new([1, 1], &[0.0], relief.texel, displacement, relief.border) {
             Ok(_) => Ok(Some(relief)),
-            Err(error @ lobe::Error::Texel(_)) => Err(format!("--texel {distance}: {error}")),
+            Err(lobe::Error::Texel(_)) => {
+                Err(format!("--texel {distance}: texel = {texel} is not in [1e-9, 1e9]"))
+            }
             Err(error) => Err(format!("--height {height}: {error}")),
         }
     }
@@ -183,7 +185,7 @@ impl Options {
     /// What is wrong with the range, whatever the map.
     pub(crate) fn check_range(&self) -> Result<(), String> {
         match self.range.as_ref().map(|range| (range, Unorm16::new(range.single))) {
-            Some((range, Err(_))) => Err(format!("--range {range}: must lie in (1e-9, 1e9]")),
+            Some((range, Err(error))) => Err(format!("--range {range}: {error}")),
             _ => Ok(()),
         }
     }

@@ -45,7 +45,7 @@ impl Roughness {
         if (0.0..=1.0).contains(&base) {
             Ok(Self { base, kind, wide })
         } else {
-            Err("must lie in [0, 1]".to_owned())
+            Err(format!("perceptual = {base} is not in [0, 1]"))
         }
     }
 

@@ -2,7 +2,7 @@
 //!
 //! Layer 6. Structures whose fields are public derive both where they are defined. The types here
 //! have invariants, so they go through their constructors on the way in: a file with `alpha = -1`
-//! is refused with the constructor's message. No format is chosen: numbers are numbers, structures
+//! is refused with the constructor's message. No format is chosen: numbers are numbers, fields
 //! have the names of constructors' arguments, and unknown fields are refused. Values return to the
 //! bit where the format's reader rounds decimals correctly (of serde_json: with its feature
 //! `float_roundtrip`).

@@ -2,23 +2,40 @@
 //!
 //! Layer 6.
 
-use crate::error::Error;
+use crate::error::{Error, Value};
+use crate::scalar::exact::difference_of_products;
 use crate::scalar::{Psd, Real};
 use crate::slope::{AxisAligned, Isotropic, Lobe, Roughness, SlopeMoments};
 
 data!("Psd", Psd<R> {
     entries: [R; 3] = psd.entries(),
-    root_det: R = psd.root_det(),
+    root_det: Option<R> = Some(psd.root_det()),
 } |psd| => checked(entries, root_det));
 
-/// The matrix, if the determinant is that of the entries up to their rounding.
-fn checked<R: Real>([xx, xy, yy]: [R; 3], root_det: R) -> Result<Psd<R>, Error> {
-    let det = Psd::new(xx, xy, yy)?.det();
-    let rounding = R::lit(8.0) * R::EPSILON * xx * yy + R::MIN_POSITIVE;
-    if root_det >= R::ZERO && (root_det * root_det - det).abs() <= rounding {
-        Ok(Psd::with_root_det([xx, xy, yy], root_det))
+/// The matrix; its determinant, where it is known better than by the entries, is theirs up to their
+/// rounding.
+///
+/// Sums and products may leave the range of [`Psd::new`], so any finite entries pass.
+fn checked<R: Real>(entries: [R; 3], root_det: Option<R>) -> Result<Psd<R>, Error> {
+    let [xx, xy, yy] = entries;
+    let Some(root_det) = root_det else { return Psd::new(xx, xy, yy) };
+    if let Some(&entry) = entries.iter().find(|entry| !entry.is_finite()) {
+        return Err(Error::MatrixEntry(entry.into()));
+    }
+    // In units of the larger diagonal entry, so that no product leaves the range of the precision.
+    let scale = xx.max(yy);
+    let [a, b, c, root] = [xx, xy, yy, root_det].map(|x| (x / scale.max(R::MIN_POSITIVE)).kept());
+    let det = difference_of_products(a, c, b, b);
+    let rounding = R::lit(64.0) * R::EPSILON * (a * c + b * b);
+    if !(xx >= R::ZERO && yy >= R::ZERO && det >= -rounding) {
+        return Err(Error::MatrixNotPositive(entries.map(Value::from)));
+    }
+    // A quotient below the smallest normal number has no digits.
+    if root >= R::ZERO && (root * root - det).abs() <= rounding + R::MIN_POSITIVE {
+        Ok(Psd::with_root_det(entries, root_det))
     } else {
-        Err(Error::RootDet(root_det.into()))
+        let entries = entries.map(Value::from);
+        Err(Error::RootDet { root_det: root_det.into(), entries })
     }
 }
 

@@ -42,7 +42,7 @@ fn mean_along<R: Real>(slope: R, width: R, alpha: R) -> R {
 /// Short intervals by Gauss-Legendre; long ones by a difference of erfc on the side where both are
 /// small, which then differ by more than a factor of 2. The exponential is a factor of either.
 fn unit_mean<R: Real>(slope: R, width: R, alpha: R) -> R {
-    let (midpoint, center_low) = divide(slope.abs(), alpha);
+    let (midpoint, midpoint_low) = divide(slope.abs(), alpha);
     let (half, half_low) = divide(R::HALF * width.abs(), alpha);
     if half * (R::ONE + R::TWO * midpoint) <= R::HALF {
         let inverse_root_pi = R::lit(0.564_189_583_547_756_3);
@@ -51,12 +51,12 @@ fn unit_mean<R: Real>(slope: R, width: R, alpha: R) -> R {
             (-(step * (R::TWO * midpoint + step))).exp()
         };
         let relative = if R::SINGLE { GAUSS_FOUR.mean(at) } else { GAUSS_EIGHT.mean(at) };
-        return inverse_root_pi * exp_minus_square(midpoint, center_low) * relative;
+        return inverse_root_pi * exp_minus_square(midpoint, midpoint_low) * relative;
     }
     let far = midpoint + half;
     let (near, near_low) = two_sum(midpoint, -half);
     // Of a long interval that ends near the lobe, what division rounded off is part of the end.
-    let (near, near_low) = two_sum(near, near_low + (center_low - half_low));
+    let (near, near_low) = two_sum(near, near_low + (midpoint_low - half_low));
     let mass = if near >= R::ZERO {
         let between = (-(R::lit(4.0) * half * midpoint)).exp();
         exp_minus_square(near, near_low) * (near.erfcx() - far.erfcx() * between)

@@ -197,7 +197,7 @@ pub type ShadingFrame<R> = [[R; 3]; 3];
 /// Source: Kaplanyan et al. 2016, section 5.4 and Eq. 17; Tokuyoshi 2017, Listing 3.
 ///
 /// # Errors
-/// [`Error::HalfVector`] if the average is not above all three surfaces.
+/// [`Error::QuadNormal`] if the average is not above all three surfaces.
 ///
 /// ```
 /// use lobe::filter::quad_normal_footprint;
@@ -215,7 +215,13 @@ pub type ShadingFrame<R> = [[R; 3]; 3];
 pub fn quad_normal_footprint<R: Real>(quad: &[ShadingFrame<R>; 4]) -> Result<Footprint<R>, Error> {
     let average = [0, 1, 2].map(|k| quad[0][2][k] + quad[1][2][k] + quad[2][2][k] + quad[3][2][k]);
     let seen = |frame: &ShadingFrame<R>| frame.map(|axis| dot(axis, average));
-    Footprint::from_half_vectors(seen(&quad[0]), seen(&quad[1]), seen(&quad[2]))
+    // Seen from each surface, the average stands where a half vector does.
+    Footprint::from_half_vectors(seen(&quad[0]), seen(&quad[1]), seen(&quad[2])).map_err(|error| {
+        match error {
+            Error::HalfVector(_) => Error::QuadNormal(average.map(Value::from)),
+            other => other,
+        }
+    })
 }
 
 /// Squared length.

@@ -94,7 +94,7 @@ pub fn ggx_gaussian_mean<R: Real>(
     let m = [d[0], d[1], R::ZERO];
     let low = [d_low[0], d_low[1], R::ZERO];
     let adjugate_form = |matrix: &crate::scalar::Psd<R>| {
-        let full = Anisotropic::new(Roughness::from_matrix(*matrix));
+        let anisotropic = Anisotropic::new(Roughness::from_matrix(*matrix));
         if matrix.is_singular() {
             // Of rank one, M = w w^T: the square of the cross product with w.
             let [xx, xy, yy] = matrix.entries();
@@ -102,7 +102,7 @@ pub fn ggx_gaussian_mean<R: Real>(
             let scale = xx.max(yy);
             if scale > R::ZERO { u * (u / scale) } else { R::ZERO }
         } else {
-            full.root_det() * full.form(m, low)
+            anisotropic.root_det() * anisotropic.form(m, low)
         }
     };
     let (base_form, added_form) = (adjugate_form(&base), adjugate_form(&added));

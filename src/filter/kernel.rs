@@ -6,7 +6,7 @@
 use crate::error::{Error, Value};
 use crate::scalar::{Eigen, Psd, Real};
 use crate::slope::Footprint;
-use core::ops::Add;
+use core::ops::{Add, AddAssign, Mul};
 
 /// The pixel filter that a Gaussian kernel stands for, as a variance in squared pixels.
 ///
@@ -200,5 +200,21 @@ impl<R: Real> Add for Kernel<R> {
     /// ```
     fn add(self, other: Self) -> Self {
         Self { covariance: self.covariance + other.covariance }
+    }
+}
+
+impl<R: Real> AddAssign for Kernel<R> {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<R: Real> Mul<R> for Kernel<R> {
+    type Output = Self;
+
+    /// The kernel with its covariance times a finite factor; a negative one counts as 0.
+    #[inline]
+    fn mul(self, factor: R) -> Self {
+        Self { covariance: self.covariance * factor }
     }
 }

@@ -165,7 +165,7 @@ impl VmfWidening {
     /// assert!((right.alpha(0.0, 0.99)? / alpha - 2.0).abs() < 1e-14);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    #[doc(alias = "lobe_vmf_alpha")]
+    #[doc(alias = "lobe_vmf_widening_alpha")]
     pub fn alpha<R: Real>(self, alpha: R, length: R) -> Result<R, Error> {
         if !alpha.is_magnitude() {
             return Err(Error::Alpha(alpha.into()));

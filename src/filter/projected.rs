@@ -9,7 +9,7 @@ use super::kernel::{Kernel, PixelFilter};
 use crate::error::Error;
 use crate::scalar::{Eigen, Psd, Real};
 use crate::slope::{Footprint, Roughness};
-use core::ops::Add;
+use core::ops::{Add, AddAssign, Mul};
 
 /// A Gaussian kernel on the projected disk: a covariance of $(h_x, h_y)$ of the unit half vector.
 ///
@@ -108,6 +108,22 @@ impl<R: Real> Add for DiskKernel<R> {
     }
 }
 
+impl<R: Real> AddAssign for DiskKernel<R> {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<R: Real> Mul<R> for DiskKernel<R> {
+    type Output = Self;
+
+    /// The kernel with its covariance times a finite factor; a negative one counts as 0.
+    #[inline]
+    fn mul(self, factor: R) -> Self {
+        Self { as_slopes: self.as_slopes * factor }
+    }
+}
+
 impl<R: Real> Kernel<R> {
     /// Tokuyoshi's kernel for forward shading, from derivatives of $(h_x, h_y)$ of the unit half
     /// vector used in slope space as they are, under [`PixelFilter::KAPLANYAN`].
@@ -138,7 +154,7 @@ impl<R: Real> Roughness<R> {
     /// $A_\perp' = A_\perp + K$ with $K = 2\Sigma_K$, back by $A' = (A_\perp' + \det A_\perp'\,
     /// I)/(1 + \mathrm{tr} A_\perp' + \det A_\perp')$: no inverse, and eigenvalues below 1 stay
     /// there without a clamp. Variance addition on the disk: its peak is too bright by as much as
-    /// in slope space. GGX only; for a tilted lobe the identity does not hold.
+    /// in slope space. GGX only; for a lobe with a mean the identity does not hold.
     ///
     /// With $C = I - A$ the two lines are $C'^{-1} = C^{-1} + K$: no pole at alpha = 1. There the
     /// lobe is uniform over the disk, and beyond it grows towards the rim; neither has a highlight.
@@ -197,7 +213,7 @@ impl<R: Real> Roughness<R> {
 /// at 1.
 ///
 /// # Errors
-/// [`Error::Alpha`] unless alpha lies in $[0, 10^9]$; [`Error::Variance`] unless `added` does.
+/// [`Error::Alpha`] unless alpha lies in $[0, 10^9]$; [`Error::Added`] unless `added` does.
 ///
 /// ```
 /// use lobe::filter::projected_alpha;
@@ -211,7 +227,7 @@ pub fn projected_alpha<R: Real>(alpha: R, added: R) -> Result<R, Error> {
         return Err(Error::Alpha(alpha.into()));
     }
     if !added.is_magnitude() {
-        return Err(Error::Variance(added.into()));
+        return Err(Error::Added(added.into()));
     }
     if alpha < R::ONE { Ok(filtered_square(alpha * alpha, added).sqrt()) } else { Ok(alpha) }
 }

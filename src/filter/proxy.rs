@@ -1,7 +1,7 @@
 //! Proxies: a GGX again, as bright at its peak as GGX under a pixel really is.
 //!
 //! Layer 3. Variance addition ([`Roughness::widened`]) is 8 to 24 % too bright at the peak,
-//! Kaplanyan's Eq. 20 as it is used ([`kaplanyan_proxy_alpha`](super::kaplanyan_proxy_alpha)) up to
+//! Kaplanyan's Eq. 20 as it is used (`kaplanyan_proxy_alpha`) up to
 //! 3.1 times too dark. These have the peak right. No proxy has the tail right: it decays from the
 //! widened alpha, where the filtered lobe keeps $\alpha^2/(\pi s^4)$.
 //!
@@ -26,7 +26,7 @@ use crate::slope::{Anisotropic, Footprint, Lobe, LobeShape, Roughness};
 /// [`PixelFilter::TOKUYOSHI_KAPLANYAN`](super::PixelFilter::TOKUYOSHI_KAPLANYAN).
 ///
 /// Source: Kaplanyan et al. 2016, Eq. 18 to 20, solved anew: the printed line is garbled, and its
-/// last form ([`kaplanyan_proxy_alpha`](super::kaplanyan_proxy_alpha)) is not close to it.
+/// last form (`kaplanyan_proxy_alpha`) is not close to it.
 ///
 /// # Errors
 /// [`Error::Alpha`], [`Error::Width`] outside $[0, 10^9]$.

@@ -5,8 +5,8 @@
 //! shader as the structure of the port that has `Lobe` before its name: [`NonCentered`] as
 //! `LobeNonCentered`. Layouts are those of storage buffers, padding included
 //! (`tests/texts/layouts.rs` asks naga); uniform buffers align nested structures to 16 bytes, which
-//! these do not. Every type is [`bytemuck::Pod`]: whatever a caller writes into one, no function of
-//! the port looks at it again.
+//! these do not. Every type is [`bytemuck::Pod`]: no function of the port checks what a
+//! caller writes into one.
 //!
 //! ```
 //! use lobe::{Lobe, Roughness, gpu};
@@ -22,4 +22,7 @@ mod slope;
 
 #[cfg(feature = "glint")]
 pub use glint::{Biscale, Glints, MultiLobe, Patch};
-pub use slope::{Footprint, Lobe, Motion, NonCentered, Path, Psd, SlopeMoments, Vertex};
+pub use slope::{
+    Anisotropic, Footprint, Lobe, Motion, NonCentered, Path, Psd, SlopeMoments, SphericalGaussian,
+    Vertex,
+};

@@ -3,7 +3,7 @@
 //! Layer 6.
 
 use crate::filter::{DiskKernel, Kernel};
-use crate::{scalar, slope};
+use crate::{filter, scalar, slope};
 use bytemuck::{Pod, Zeroable};
 
 /// A matrix: `LobePsd`, and `LobeRoughness`, `LobeKernel` and `LobeDiskKernel`, which hold one.
@@ -89,12 +89,41 @@ impl From<slope::Lobe<f32>> for Lobe {
     }
 }
 
+/// The shape of a roughness, precomputed: `LobeAnisotropic`.
+///
+/// The fields are what the port computes of the matrix in `lobe_anisotropic_new`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Anisotropic {
+    /// The entry xx of the matrix.
+    pub xx: f32,
+    /// The entry xy of the matrix.
+    pub xy: f32,
+    /// The root of its determinant.
+    pub root_det: f32,
+    /// One over xx, or 0.
+    pub inverse_xx: f32,
+    /// The root of the determinant over xx.
+    pub along: f32,
+    /// xx over the root of the determinant.
+    pub across: f32,
+    /// The determinant over xx; the entry yy if xx is 0.
+    pub schur: f32,
+}
+
+impl From<slope::Anisotropic<f32>> for Anisotropic {
+    fn from(shape: slope::Anisotropic<f32>) -> Self {
+        let [xx, xy, root_det, inverse_xx, along, across, schur] = shape.numbers();
+        Self { xx, xy, root_det, inverse_xx, along, across, schur }
+    }
+}
+
 /// The shape of a lobe, precomputed: `LobeNonCentered`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct NonCentered {
-    /// The numbers of `LobeAnisotropic`, in its order.
-    pub shape: [f32; 7],
+    /// The shape around the mean.
+    pub shape: Anisotropic,
     padding: f32,
     /// The mean slope.
     pub mean: [f32; 2],
@@ -102,7 +131,7 @@ pub struct NonCentered {
 
 impl From<slope::NonCentered<slope::Anisotropic<f32>>> for NonCentered {
     fn from(shape: slope::NonCentered<slope::Anisotropic<f32>>) -> Self {
-        Self { shape: shape.shape().numbers(), padding: 0.0, mean: shape.mean() }
+        Self { shape: (*shape.shape()).into(), padding: 0.0, mean: shape.mean() }
     }
 }
 
@@ -167,5 +196,21 @@ impl From<slope::Motion<f32>> for Motion {
     fn from(motion: slope::Motion<f32>) -> Self {
         let slope::Motion { half_vector, normal, spin } = motion;
         Self { half_vector, padding: 0.0, normal, spin, padding_after: 0.0 }
+    }
+}
+
+/// A spherical Gaussian light: `LobeSphericalGaussian`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct SphericalGaussian {
+    /// The unit direction of the brightest point.
+    pub direction: [f32; 3],
+    /// The sharpness.
+    pub sharpness: f32,
+}
+
+impl From<filter::SphericalGaussian<f32>> for SphericalGaussian {
+    fn from(light: filter::SphericalGaussian<f32>) -> Self {
+        Self { direction: light.direction(), sharpness: light.sharpness() }
     }
 }

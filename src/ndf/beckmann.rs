@@ -2,6 +2,7 @@
 //!
 //! Layer 2. Beckmann & Spizzichino 1963; Walter et al. 2007; any A and mean: Heitz 2014, LEADR.
 
+use super::distribution::sealed::Sealed;
 use super::distribution::{Distribution, Ndf};
 use crate::scalar::Real;
 use crate::slope::LobeShape;
@@ -9,6 +10,11 @@ use crate::slope::LobeShape;
 /// The scalar functions of Beckmann; see [`Beckmann`](crate::Beckmann).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BeckmannDistribution;
+
+impl Sealed for BeckmannDistribution {
+    #[cfg(feature = "serde")]
+    const DATA_NAME: &'static str = "beckmann";
+}
 
 impl Distribution for BeckmannDistribution {
     #[inline(always)]

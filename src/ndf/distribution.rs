@@ -1,6 +1,6 @@
 //! What a distribution owes: its density and its projected area, each of a few scalars.
 //!
-//! Layer 2. Everything else (D, Lambda, G1, G2, visibility, the BRDF; centered or tilted, any
+//! Layer 2. Everything else (D, Lambda, G1, G2, visibility, the BRDF; centered or not, any
 //! anisotropy) is derived once, here and in masking.rs.
 
 use crate::scalar::Real;
@@ -8,10 +8,12 @@ use crate::scalar::exact::two_sum;
 use crate::slope::{Anisotropic, Lobe, LobeShape, NonCentered};
 use core::marker::PhantomData;
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for crate::ndf::BeckmannDistribution {}
-    impl Sealed for crate::ndf::GgxDistribution {}
+pub(super) mod sealed {
+    pub trait Sealed {
+        /// What files of materials call the distribution.
+        #[cfg(feature = "serde")]
+        const DATA_NAME: &'static str;
+    }
 }
 
 /// The two scalar functions that make a distribution; sealed.

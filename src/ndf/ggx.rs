@@ -3,11 +3,17 @@
 //! Layer 2. Trowbridge & Reitz 1975; Walter et al. 2007; any A: Heitz 2014, any mean: LEADR.
 
 use super::distribution::Distribution;
+use super::distribution::sealed::Sealed;
 use crate::scalar::Real;
 
 /// The scalar functions of GGX; see [`Ggx`](crate::Ggx).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GgxDistribution;
+
+impl Sealed for GgxDistribution {
+    #[cfg(feature = "serde")]
+    const DATA_NAME: &'static str = "ggx";
+}
 
 impl Distribution for GgxDistribution {
     /// With $r = \sqrt{\det A}$ and $n = r q z^2$:

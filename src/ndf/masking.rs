@@ -1,6 +1,6 @@
 //! Masking and shadowing, all derived from the projected area.
 //!
-//! Layer 2. The projected area has no pole at grazing angles and holds for tilted means; Lambda,
+//! Layer 2. The projected area has no pole at grazing angles and holds for means; Lambda,
 //! G1, G2 and visibility follow from it. Normalization is LEADR's meso form: c(w) is the projected
 //! area of the mean plane. (The macro form, G1 = w_z / sigma, gives a negative G2 for tilted
 //! means.)

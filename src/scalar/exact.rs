@@ -2,7 +2,7 @@
 //!
 //! Layer 0. Written without fused multiply-add, which is a slow library call on targets that lack
 //! it; the split by bit mask cannot overflow, and no compiler can fuse it away. What shader
-//! compilers could fold, fuse or factor is kept ([`Internal::kept`]): under fast math they take
+//! compilers could fold, fuse or factor is kept (`Internal::kept`): under fast math they take
 //! sums in any order, so that every partial sum that is exact stands alone.
 
 use super::Real;
@@ -17,7 +17,7 @@ pub(crate) fn two_sum<R: Real>(a: R, b: R) -> (R, R) {
 }
 
 /// `a * b` as rounded product and its error (Dekker 1971, with the split of
-/// [`Internal::upper_half`]).
+/// `Internal::upper_half`).
 ///
 /// The error is exact in f32, and to one unit of twice the precision in f64, as long as it does
 /// not underflow.

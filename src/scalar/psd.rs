@@ -7,7 +7,7 @@
 use super::Real;
 use super::exact::{cross, difference_of_products, sum_of_products};
 use crate::error::{Error, Value};
-use core::ops::{Add, Mul};
+use core::ops::{Add, AddAssign, Mul};
 
 /// A symmetric positive semi-definite matrix `[[xx, xy], [xy, yy]]`: a roughness or a covariance.
 ///
@@ -250,7 +250,7 @@ impl<R: Real> Psd<R> {
 impl<R: Real> Mul<R> for Psd<R> {
     type Output = Self;
 
-    /// The matrix times a factor; a negative one counts as 0.
+    /// The matrix times a finite factor; a negative one and NaN count as 0.
     #[inline]
     fn mul(self, factor: R) -> Self {
         let factor = factor.max(R::ZERO);
@@ -279,6 +279,12 @@ impl<R: Real> Add for Psd<R> {
             yy: self.yy + other.yy,
             root_det: det.sqrt(),
         }
+    }
+}
+
+impl<R: Real> AddAssign for Psd<R> {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
     }
 }
 

@@ -36,13 +36,13 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// 0.
+    /// Zero.
     const ZERO: Self;
-    /// 1/2.
+    /// One half.
     const HALF: Self;
-    /// 1.
+    /// One.
     const ONE: Self;
-    /// 2.
+    /// Two.
     const TWO: Self;
     /// Ratio of a circle's circumference to its diameter.
     const PI: Self;

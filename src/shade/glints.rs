@@ -71,7 +71,7 @@ impl<R: Real> GlintShading<R> {
     /// Radiance towards `wo` per unit of radiance and solid angle from `wi`, where a light appears
     /// with this radius in radians: $F f c_i$ per channel, as
     /// [`Shading::evaluate`](super::Shading::evaluate).
-    #[doc(alias = "lobe_glint_evaluate")]
+    #[doc(alias = "lobe_glint_shading_evaluate")]
     #[inline]
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>, radius: R) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());
@@ -95,7 +95,7 @@ impl<R: Real> GlintShading<R> {
     /// assert!(shading.evaluate_colored(wo, wi, 0.0, hue_wheel).iter().all(|x| *x >= 0.0));
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    #[doc(alias = "lobe_glint_evaluate_colored")]
+    #[doc(alias = "lobe_glint_shading_evaluate_colored")]
     pub fn evaluate_colored(
         &self,
         wo: impl Into<[R; 3]>,

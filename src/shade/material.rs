@@ -107,8 +107,8 @@ impl<D: Distribution, R: Real> Shading<D, R> {
     /// Radiance towards `wo` per unit of radiance and solid angle from `wi`: $F\, f\, c_i$ per
     /// channel.
     ///
-    /// $f$ is [`Ndf::brdf`], $c_i$ the cosine of `wi`, for a tilted lobe the projected area of its
-    /// mean plane. Multiply by the light's radiance and solid angle. `wo`, `wi`: unit, tangent
+    /// $f$ is [`Ndf::brdf`], $c_i$ the cosine of `wi`, for a lobe with a mean the projected area of
+    /// its mean plane. Multiply by the light's radiance and solid angle. `wo`, `wi`: unit, tangent
     /// frame. 0 where either lies below the horizon.
     #[doc(alias = "lobe_ggx_evaluate")]
     #[doc(alias = "lobe_beckmann_evaluate")]

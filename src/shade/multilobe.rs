@@ -83,7 +83,7 @@ impl<'a, R: Real> MultiLobeShading<'a, R> {
     /// Radiance towards `wo` per unit of radiance and solid angle from `wi`: $F f c_i$ per channel,
     /// as [`Shading::evaluate`](super::Shading::evaluate), with the light's cosine to the mean
     /// normal. Directions in the tangent frame.
-    #[doc(alias = "lobe_patch_ndf_evaluate")]
+    #[doc(alias = "lobe_multi_lobe_shading_evaluate")]
     #[inline]
     pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R; 3] {
         let (wo, wi) = (wo.into(), wi.into());

@@ -8,7 +8,7 @@ use super::moments::SlopeMoments;
 use crate::error::Error;
 use crate::scalar::exact::{cross, difference_of_products};
 use crate::scalar::{Psd, Real};
-use core::ops::{Add, Mul};
+use core::ops::{Add, AddAssign, Mul};
 
 impl<R: Real> Add for SlopeMoments<R> {
     type Output = Self;
@@ -34,6 +34,12 @@ impl<R: Real> Add for SlopeMoments<R> {
     fn add(self, other: Self) -> Self {
         let ([x, y], [p, q]) = (self.mean(), other.mean());
         Self::bounded([x + p, y + q], self.covariance() + other.covariance())
+    }
+}
+
+impl<R: Real> AddAssign for SlopeMoments<R> {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
     }
 }
 

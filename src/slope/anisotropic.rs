@@ -3,7 +3,7 @@
 //! Layer 1. [`LobeShape`] says what it answers; these answers are compensated.
 
 use super::roughness::Roughness;
-use super::shape::LobeShape;
+use super::shape::{AxisAligned, Isotropic, LobeShape};
 use crate::scalar::Real;
 use crate::scalar::exact::{difference_of_products, sum_of_products};
 
@@ -69,6 +69,18 @@ impl<R: Real> Anisotropic<R> {
 impl<R: Real> From<Roughness<R>> for Anisotropic<R> {
     fn from(roughness: Roughness<R>) -> Self {
         Self::new(roughness)
+    }
+}
+
+impl<R: Real> From<Isotropic<R>> for Anisotropic<R> {
+    fn from(shape: Isotropic<R>) -> Self {
+        Self::new(shape.into())
+    }
+}
+
+impl<R: Real> From<AxisAligned<R>> for Anisotropic<R> {
+    fn from(shape: AxisAligned<R>) -> Self {
+        Self::new(shape.into())
     }
 }
 

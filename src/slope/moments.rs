@@ -108,18 +108,18 @@ impl<R: Real> SlopeMoments<R> {
     /// positive semi-definite, nothing cancels.
     ///
     /// # Errors
-    /// [`Error::Weight`] if a weight is negative or not finite, or their sum is infinite;
-    /// [`Error::Weights`] if both are 0.
+    /// [`Error::Weight`] if a weight is negative or not finite; [`Error::WeightSum`] if their sum
+    /// is 0 or infinite.
     #[doc(alias = "parallel-axis")]
     #[doc(alias = "lobe_slope_moments_merged")]
     pub fn merged(&self, weight: R, other: &Self, other_weight: R) -> Result<Self, Error> {
         let sum = weight + other_weight;
-        if !(weight >= R::ZERO && other_weight >= R::ZERO && sum.is_finite()) {
-            let first = !(weight >= R::ZERO && weight.is_finite());
-            return Err(Error::Weight(if first { weight } else { other_weight }.into()));
+        let known = |weight: &&R| **weight >= R::ZERO && weight.is_finite();
+        if let Some(&bad) = [weight, other_weight].iter().find(|weight| !known(weight)) {
+            return Err(Error::Weight(bad.into()));
         }
-        if !(sum > R::ZERO) {
-            return Err(Error::Weights);
+        if !(sum > R::ZERO && sum.is_finite()) {
+            return Err(Error::WeightSum(sum.into()));
         }
         Ok(self.shared(weight / sum, other, other_weight / sum))
     }

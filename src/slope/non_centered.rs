@@ -24,9 +24,9 @@ impl<S: LobeShape> NonCentered<S> {
     ///
     /// ```
     /// use lobe::{Ggx, Isotropic, NonCentered};
-    /// let tilted = Ggx::new(NonCentered::new(Isotropic::new(0.1_f32)?, [0.3, 0.0])?);
+    /// let moved = Ggx::new(NonCentered::new(Isotropic::new(0.1_f32)?, [0.3, 0.0])?);
     /// let centered = Ggx::new(Isotropic::new(0.1_f32)?);
-    /// assert_eq!(tilted.slope_pdf([0.3, 0.0]), centered.slope_pdf([0.0, 0.0]));
+    /// assert_eq!(moved.slope_pdf([0.3, 0.0]), centered.slope_pdf([0.0, 0.0]));
     /// # Ok::<(), lobe::Error>(())
     /// ```
     #[doc(alias = "lobe_non_centered_new")]

@@ -7,7 +7,7 @@
 use super::jacobian::Matrix;
 use crate::error::{Error, Value};
 use crate::scalar::{Psd, Real};
-use core::ops::Add;
+use core::ops::{Add, AddAssign, Mul};
 
 /// The roughness matrix A of a lobe: symmetric, positive semi-definite, in squared slope units.
 ///
@@ -195,5 +195,21 @@ impl<R: Real> Add for Roughness<R> {
     #[inline]
     fn add(self, other: Self) -> Self {
         Self { matrix: self.matrix + other.matrix }
+    }
+}
+
+impl<R: Real> AddAssign for Roughness<R> {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<R: Real> Mul<R> for Roughness<R> {
+    type Output = Self;
+
+    /// A, the squares of alphas, times a finite factor; a negative one counts as 0.
+    #[inline]
+    fn mul(self, factor: R) -> Self {
+        Self { matrix: self.matrix * factor }
     }
 }

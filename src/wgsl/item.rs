@@ -27,19 +27,22 @@ impl Item {
         self.entry().1
     }
 
-    /// The item of a name.
+    /// The item of a name, with the prefix or without it.
     ///
     /// ```
     /// use lobe::wgsl::Item;
     /// assert_eq!(Item::from_name("ggx_d"), Ok(Item::GgxD));
+    /// assert_eq!(Item::from_name("lobe_ggx_d"), Ok(Item::GgxD));
     /// assert!(Item::from_name("ggx_e").is_err());
     /// ```
     ///
     /// # Errors
     /// [`Error::Unknown`], and [`Error::Off`] for an item behind a feature that is off.
     pub fn from_name(name: &str) -> Result<Self, Error> {
-        if let Some(item) = Self::ALL.iter().find(|item| item.name() == name) {
-            return Ok(*item);
+        let of = |name: &str| Self::ALL.iter().find(|item| item.name() == name).copied();
+        let bare = name.strip_prefix("lobe_").or(name.strip_prefix("LOBE_"));
+        if let Some(item) = of(name).or(bare.and_then(of)) {
+            return Ok(item);
         }
         match OFF.iter().find(|(off, _)| *off == name) {
             Some(&(_, feature)) => Err(Error::Off { name: name.to_string(), feature }),

@@ -276,7 +276,7 @@ items! {
     VmfSharpness: fn "vmf_sharpness", "vmf_sharpness";
     VmfWideningTheOrder: const "VMF_WIDENING_THE_ORDER", "VmfWidening::THE_ORDER";
     VmfWideningSpecularAa: const "VMF_WIDENING_SPECULAR_AA", "VmfWidening::SPECULAR_AA";
-    VmfAlpha: fn "vmf_alpha", "VmfWidening::alpha";
+    VmfWideningAlpha: fn "vmf_widening_alpha", "VmfWidening::alpha";
     FilterLength: file "filter_length";
     EngineFilament: const "ENGINE_FILAMENT", "Engine::Filament";
     EngineUnityHdrp: const "ENGINE_UNITY_HDRP", "Engine::UnityHdrp";
@@ -367,10 +367,11 @@ items! {
     PatchNdfPdf: fn "patch_ndf_pdf", "PatchNdf::pdf";
     PatchNdfSampleSlope: fn "patch_ndf_sample_slope", "PatchNdf::sample_slope";
     MaterialMultilobeSample: file "material_multilobe_sample";
-    GlintEvaluate: fn "glint_evaluate", "GlintShading::evaluate";
-    GlintEvaluateColored: fn "glint_evaluate_colored", "GlintShading::evaluate_colored";
+    GlintShadingEvaluate: fn "glint_shading_evaluate", "GlintShading::evaluate";
+    GlintShadingEvaluateColored: fn
+        "glint_shading_evaluate_colored", "GlintShading::evaluate_colored";
     ShadeGlints: file "shade_glints";
-    PatchNdfEvaluate: fn "patch_ndf_evaluate", "MultiLobeShading::evaluate";
+    MultiLobeShadingEvaluate: fn "multi_lobe_shading_evaluate", "MultiLobeShading::evaluate";
     ShadeMultilobe: file "shade_multilobe";
     FragmentPatch: fn "fragment_patch";
     FragmentPatchInTile: fn "fragment_patch_in_tile";

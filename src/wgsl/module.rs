@@ -9,7 +9,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt::Write as _;
 
-/// A WGSL file of the WGSL port, twin of the Rust file of the same path.
+/// A file of the WGSL port, twin of the Rust file of the same path.
 ///
 /// One body, three headers: [`Module::body`] is raw WGSL for whoever concatenates texts,
 /// [`Module::wesl`] has `import` statements before it (WESL; Bevy from 0.20), [`Module::naga_oil`]

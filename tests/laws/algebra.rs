@@ -1,4 +1,4 @@
-//! The algebra of reliefs against sets of slopes that are added, scaled, leant, stretched and
+//! The algebra of reliefs against sets of slopes that are added, scaled, leaned, stretched and
 //! turned one by one; and what a pixel adds to a map.
 
 use crate::common::arbitrary::Source;
@@ -75,8 +75,8 @@ fn scaling_leaning_stretching_and_turning_act_on_every_slope() {
         let t = source.uniform(-3.0, 3.0);
         same(&(patch * t), &each(&|s| s.map(|x| t * x)), &(t, &set))?;
         let lean = source.vector(1e-2, 3.0);
-        let leant = patch.tilted(lean).expect("a slope");
-        same(&leant, &each(&|[x, y]| [x + lean[0], y + lean[1]]), &(lean, &set))?;
+        let leaned = patch.tilted(lean).expect("a slope");
+        same(&leaned, &each(&|[x, y]| [x + lean[0], y + lean[1]]), &(lean, &set))?;
         let m = [source.vector(1e-2, 3.0), source.vector(1e-2, 3.0)];
         let apply = |s: [f64; 2]| m.map(|row| row[0] * s[0] + row[1] * s[1]);
         same(&patch.transformed(m), &each(&apply), &(m, &set))?;

@@ -101,7 +101,7 @@ fn every_error_is_reached_and_names_its_parameter() {
     }
     refused(Vertex::at([0.0; 3]), Error::Direction(values([0.0; 3])), "direction");
     let one = SlopeMoments::of_slope([0.0; 2]).expect("a slope");
-    refused(one.merged(0.0, &one, 0.0), Error::Weights, "weight");
+    refused(one.merged(0.0, &one, 0.0), Error::WeightSum(0.0.into()), "weight");
     let up = [0.0, 0.0, 1.0];
     for below in [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0]] {
         refused(
@@ -131,10 +131,7 @@ fn messages_show_the_value_and_the_range() {
         (Roughness::from_alpha(0.1_f64 - 1.0).unwrap_err(), "alpha = -0.9 is not in [0, 1e9]"),
         (Isotropic::new(3e38_f32).unwrap_err(), "alpha = 3e38 is not in [0, 1e9]"),
         (Isotropic::new(-1e-300).unwrap_err(), "alpha = -1e-300 is not in [0, 1e9]"),
-        (
-            Roughness::from_perceptual(f32::NAN).unwrap_err(),
-            "perceptual roughness = NaN is not in [0, 1]",
-        ),
+        (Roughness::from_perceptual(f32::NAN).unwrap_err(), "perceptual = NaN is not in [0, 1]"),
         (
             Psd::new(1.0, 2.0, 1.0_f32).unwrap_err(),
             "matrix [[1, 2], [2, 1]] is not positive semi-definite",

@@ -1,4 +1,4 @@
-//! Laws of the deferred forms and of the engines' presets.
+//! Laws of the deferred forms and of what engines ship.
 #![cfg(feature = "published")]
 
 use crate::common::arbitrary::Source;
@@ -120,7 +120,7 @@ fn a_quad_s_average_normal_moves_as_its_frames_turn() {
     check(5000, quads);
 }
 
-fn presets(source: &mut Source) -> TestCaseResult {
+fn engines(source: &mut Source) -> TestCaseResult {
     let (alpha, [u, v]) = (source.log_uniform(1e-4, 1.0), derivatives(source).map(in_space));
     let inputs = (alpha, u, v);
     let of = |engine: Engine| engine.alpha(alpha, u, v).expect("in range");
@@ -147,7 +147,7 @@ fn presets(source: &mut Source) -> TestCaseResult {
 
 #[test]
 fn presets_are_the_formulas_that_they_cite_where_they_are() {
-    check(10_000, presets);
+    check(10_000, engines);
 }
 
 #[test]

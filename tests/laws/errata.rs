@@ -22,7 +22,7 @@ fn agree(got: f64, want: f64, tolerance: f64) {
     assert!((got / want - 1.0).abs() <= tolerance, "got {got}, want {want}");
 }
 
-/// Off by a factor, whole per cents of it.
+/// Off by a factor, whole percent of it.
 #[track_caller]
 fn off_by(got: f64, want: f64, factor: f64) {
     assert!(

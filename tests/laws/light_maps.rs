@@ -75,9 +75,9 @@ fn levels_are_means_and_solid_angles_choose_them() {
         assert!(map.lookup(nothing, f64::NAN).iter().all(|x| x.is_finite()));
     }
     let refused = |face, count| CubeMap::new(face, vec![[0.0_f32; 3]; count]).map(|_| ());
-    assert!(matches!(refused(3, 70), Err(Error::MapSize { .. })));
-    assert!(matches!(refused(2, 24), Err(Error::MapSize { .. })));
-    assert!(matches!(refused(0, 0), Err(Error::MapSize { .. })));
+    assert!(matches!(refused(3, 70), Err(Error::CubeMap { .. })));
+    assert!(matches!(refused(2, 24), Err(Error::CubeMap { .. })));
+    assert!(matches!(refused(0, 0), Err(Error::CubeMap { .. })));
 }
 
 #[test]

@@ -9,6 +9,7 @@ use lobe::material::cells::Patch;
 use lobe::material::glint::{Biscale, Glints};
 use lobe::material::lean::{Border, SlopeCap};
 use lobe::material::multilobe::{LobeMeans, MultiLobe, Recipe};
+use lobe::ndf::{BeckmannDistribution, GgxDistribution};
 use lobe::shade::{GlintMaterial, Material, MultiLobeMaterial};
 use lobe::slope::Motion;
 use lobe::{
@@ -29,13 +30,23 @@ fn back<T: Serialize + DeserializeOwned + PartialEq + Debug>(value: &T) -> TestC
 
 fn there_and_back<R: Real + Serialize + DeserializeOwned>() {
     check(2_000, |source| {
-        let mut alpha = || R::lit(source.log_uniform(1e-4, 30.0));
+        let alphas: [R; 9] = [(); 9].map(|()| R::lit(source.log_uniform(1e-4, 30.0)));
+        let mut drawn = alphas.into_iter();
+        let mut alpha = || drawn.next().expect("as many as are asked for");
         let roughness = Roughness::from_alphas(alpha(), alpha(), alpha()).expect("in range");
         let (mean, u, v) = ([alpha(), -alpha()], [alpha(), alpha()], [-alpha(), alpha()]);
         let footprint = Footprint::from_slopes(u, v);
         let kernel = Kernel::of(&footprint, PixelFilter::BOX);
         back(&roughness)?;
         back(&roughness.matrix())?;
+        // Nearly parallel sides carry a determinant that is all rounding of the entries.
+        let nearly = R::lit(source.log_uniform(1e-9, 1e-3));
+        let thin = Footprint::from_slopes(u, [u[0] * (R::ONE + nearly), u[1]]);
+        let thin = Kernel::of(&thin, PixelFilter::BOX);
+        back(&thin)?;
+        back(&(thin + kernel))?;
+        back(&(thin.covariance() + roughness.matrix() * nearly))?;
+        back(&(roughness.matrix() * R::lit(1e-30)))?;
         back(&kernel)?;
         back(&footprint)?;
         back(&roughness.widened(&kernel))?;
@@ -89,10 +100,25 @@ fn what_constructors_refuse_is_refused_by_name() {
     refused::<PixelFilter>("-0.5", "variance = -0.5 is not in [0, 1e9]");
     let flat = r#"{"entries": [1, 2, 1], "root_det": 0}"#;
     refused::<Psd<f64>>(flat, "matrix [[1, 2], [2, 1]] is not positive semi-definite");
-    refused::<Psd<f64>>(r#"{"entries": [4, 0, 4], "root_det": 3}"#, "root_det = 3 is not in");
-    refused::<Psd<f32>>(r#"{"entries": [4, 0, 4], "root_det": -4}"#, "root_det = -4 is not in");
+    refused::<Psd<f64>>(r#"{"entries": [4, 0, 4], "root_det": 3}"#, "root_det = 3 is not the root");
+    refused::<Psd<f32>>(
+        r#"{"entries": [4, 0, 4], "root_det": -4}"#,
+        "root_det = -4 is not the root",
+    );
+    let none = r#"{"entries": [0, 0, 0], "root_det": 1e-19}"#;
+    refused::<Psd<f32>>(none, "root_det = 1e-19 is not the root of the determinant of [[0, 0], [0");
+    let small = r#"{"entries": [1e-30, 0, 1e-30], "root_det": 1e-19}"#;
+    refused::<Psd<f32>>(small, "root_det = 1e-19 is not the root");
+    refused::<Footprint<f32>>(r#"{"u": [1, 2], "v": [3, 4], "w": 5}"#, "unknown field `w`");
+    // Written by hand, the determinant is that of the entries.
+    let by_hand: Psd<f64> = serde_json::from_str(r#"{"entries": [4, 1, 4]}"#).expect("a matrix");
+    assert_eq!(by_hand, Psd::new(4.0, 1.0, 4.0).expect("a matrix"));
+    let beckmann = r#"{"distribution": "beckmann", "lobe": {"mean": [0, 0], "roughness":
+        {"matrix": {"entries": [1, 0, 1]}}}, "fresnel": {"schlick": [1, 1, 1]}}"#;
+    assert!(serde_json::from_str::<Material<BeckmannDistribution, f32>>(beckmann).is_ok());
+    refused::<Material<GgxDistribution, f32>>(beckmann, "distribution is not ggx");
     let far = r#"{"mean": [2e9, 0], "covariance": {"entries": [0, 0, 0], "root_det": 0}}"#;
-    refused::<SlopeMoments<f32>>(far, "component of the mean slope = 2e9 is not in [-1e9, 1e9]");
+    refused::<SlopeMoments<f32>>(far, "mean = 2e9 is not in [-1e9, 1e9]");
     let other = r#"{"alpha": 1, "beta": 2}"#;
     refused::<Isotropic<f32>>(other, "unknown field `beta`, expected `alpha`");
     let dull = r#"{"schlick": [0.5, 0.5, 1.5]}"#;

@@ -325,7 +325,7 @@ fn weights_that_are_none_are_refused() {
     for bad in [-1e-30, f32::NAN, f32::INFINITY] {
         assert!(matches!(chain([2, 1], two.clone(), vec![1.0, bad]), Err(Error::Weight(_))));
     }
-    assert_eq!(chain([2, 1], two.clone(), vec![0.0, -0.0]), Err(Error::Weights));
+    assert_eq!(chain([2, 1], two.clone(), vec![0.0, -0.0]), Err(Error::WeightSum(0.0.into())));
     assert!(matches!(chain([2, 1], two.clone(), vec![1.0]), Err(Error::Length { .. })));
     assert_eq!(
         chain([2, 2], two.clone(), vec![1.0; 2]),

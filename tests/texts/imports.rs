@@ -1,29 +1,62 @@
 //! No two files import from each other, directly or through others: a file can be read after those
 //! that it imports from. A type whose methods stand in several files says in which.
 
-use crate::source::{Tree, defined, tree, used};
+use crate::source::{Module, Tree, absolute, defined, tree, used};
 use std::collections::{BTreeMap, BTreeSet};
-use syn::{Item, Type};
+use syn::visit::{self, Visit};
+use syn::{Item, ItemUse, Path, Type};
+
+/// All that a file names: in `use`, and by paths from the root or from the module above.
+struct Named<'a> {
+    home: &'a [String],
+    paths: Vec<Vec<String>>,
+}
+
+impl<'a> Visit<'a> for Named<'_> {
+    fn visit_item_use(&mut self, item: &'a ItemUse) {
+        for (path, given) in used(&item.tree, self.home) {
+            assert!(!path.is_empty(), "the root under another name, `{given}`, hides imports");
+            self.paths.push(path);
+        }
+    }
+
+    fn visit_path(&mut self, path: &'a Path) {
+        let words: Vec<String> = path.segments.iter().map(|part| part.ident.to_string()).collect();
+        if ["crate", "super"].contains(&words[0].as_str()) {
+            self.paths.push(absolute(&words, self.home));
+        }
+        visit::visit_path(self, path);
+    }
+}
+
+/// What a file names.
+fn named(module: &Module, home: &[String]) -> Vec<Vec<String>> {
+    let mut named = Named { home, paths: Vec::new() };
+    module.items.iter().for_each(|item| named.visit_item(item));
+    named.paths
+}
+
+/// The file of what a path leads to: a module, an item, or what belongs to an item.
+fn file_of(tree: &Tree, path: &[String]) -> Option<String> {
+    (1..=path.len()).rev().find_map(|length| {
+        let path = &path[..length];
+        let home = if tree.contains_key(path) {
+            Some(path.to_vec())
+        } else {
+            defined(tree, path).map(|(home, _)| home)
+        };
+        home.map(|home| tree[&home].file.clone())
+    })
+}
 
 /// The files that a file imports from. A folder's `mod.rs` lists its files, so it does not count.
 fn imports(tree: &Tree) -> BTreeMap<String, BTreeSet<String>> {
+    let lists = |file: &str| file.ends_with("mod.rs") || ["lib.rs", "prelude.rs"].contains(&file);
     let mut graph: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-    for (path, module) in tree {
-        let listed = module.file.ends_with("mod.rs") || module.file == "lib.rs";
-        for item in module.items.iter().filter(|_| !listed) {
-            let Item::Use(item) = item else { continue };
-            for (from, _) in used(&item.tree, path) {
-                // A module, as of functions that callers name by it, or an item.
-                let home = if tree.contains_key(&from) {
-                    Some(from)
-                } else {
-                    defined(tree, &from).map(|(home, _)| home)
-                };
-                let file = home.map(|home| tree[&home].file.clone());
-                let other = file.filter(|file| *file != module.file && !file.ends_with("mod.rs"));
-                graph.entry(module.file.clone()).or_default().extend(other);
-            }
-        }
+    for (home, module) in tree.iter().filter(|(_, module)| !lists(&module.file)) {
+        let files = named(module, home).into_iter().filter_map(|path| file_of(tree, &path));
+        let others = files.filter(|file| *file != module.file && !lists(file));
+        graph.entry(module.file.clone()).or_default().extend(others);
     }
     graph
 }
@@ -102,6 +135,10 @@ fn types_say_where_their_further_methods_are() {
         files.remove(&file);
         let src = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
         let text = std::fs::read_to_string(src.join(&file)).expect("a readable file");
+        // The enum of items is made by a macro.
+        if !text.contains(&format!("\npub struct {name}")) {
+            continue;
+        }
         let above = text.split(&format!("\npub struct {name}")).next().unwrap_or_default();
         let comments = above.lines().rev().take_while(|line| line.starts_with(['#', '/']));
         let mut comments = comments.filter_map(|line| line.strip_prefix("// Further methods: "));

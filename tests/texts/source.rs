@@ -52,6 +52,7 @@ pub(crate) fn attributes(item: &Item) -> &[Attribute] {
         Item::Impl(item) => &item.attrs,
         Item::Macro(item) => &item.attrs,
         Item::Mod(item) => &item.attrs,
+        Item::Static(item) => &item.attrs,
         Item::Struct(item) => &item.attrs,
         Item::Trait(item) => &item.attrs,
         Item::Type(item) => &item.attrs,
@@ -74,6 +75,7 @@ pub(crate) fn named(item: &Item) -> Option<(String, &Visibility)> {
         Item::Enum(item) => (&item.ident, &item.vis),
         Item::Fn(item) => (&item.sig.ident, &item.vis),
         Item::Mod(item) => (&item.ident, &item.vis),
+        Item::Static(item) => (&item.ident, &item.vis),
         Item::Struct(item) => (&item.ident, &item.vis),
         Item::Trait(item) => (&item.ident, &item.vis),
         Item::Type(item) => (&item.ident, &item.vis),
@@ -101,7 +103,7 @@ pub(crate) fn used(tree: &UseTree, home: &[String]) -> Vec<(Vec<String>, String)
                 let path = [path, &[part.ident.to_string()]].concat();
                 found.push((path, part.rename.to_string()));
             }
-            UseTree::Glob(_) => {}
+            UseTree::Glob(_) => panic!("a glob hides what it imports: {}", path.join("::")),
         }
     }
     let mut found = Vec::new();
@@ -113,7 +115,7 @@ pub(crate) fn used(tree: &UseTree, home: &[String]) -> Vec<(Vec<String>, String)
 }
 
 /// A path from the root: `crate`, `super` and `self` resolved, others as children of `home`.
-fn absolute(path: &[String], home: &[String]) -> Vec<String> {
+pub(crate) fn absolute(path: &[String], home: &[String]) -> Vec<String> {
     let mut base = home.to_vec();
     let mut rest = path;
     while let Some((first, after)) = rest.split_first() {
@@ -129,12 +131,18 @@ fn absolute(path: &[String], home: &[String]) -> Vec<String> {
     base
 }
 
+/// The enum that a call of a macro makes.
+fn made_by(call: &syn::ItemMacro) -> Option<&'static str> {
+    const MADE: [(&str, &str); 2] = [("errors", "Error"), ("items", "Item")];
+    MADE.iter().find(|(by, _)| call.mac.path.is_ident(by)).map(|&(_, name)| name)
+}
+
 /// Where an item is defined, through any number of re-exports: its module's path, and its name.
 pub(crate) fn defined(tree: &Tree, path: &[String]) -> Option<(Vec<String>, String)> {
     let (name, home) = path.split_last()?;
     let module = tree.get(home)?;
     let has = |item: &Item| match item {
-        Item::Macro(made) => made.mac.tokens.to_string().contains(&format!("enum {name} ")),
+        Item::Macro(made) => made.ident.is_none() && made_by(made).is_some_and(|own| own == name),
         _ => named(item).is_some_and(|(own, _)| own == *name),
     };
     if module.items.iter().any(|item| !matches!(item, Item::Mod(_)) && has(item)) {

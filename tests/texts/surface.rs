@@ -52,6 +52,9 @@ fn notes(attributes: &[Attribute]) -> String {
         Meta::List(list) if list.path.is_ident("derive") => {
             Some(format!(" derive({})", plain(&list.tokens)))
         }
+        Meta::List(list) if list.path.is_ident("cfg_attr") => {
+            Some(format!(" [{}]", plain(&list.tokens)))
+        }
         Meta::Path(path) if path.is_ident("non_exhaustive") => Some(" non_exhaustive".to_owned()),
         _ => None,
     };
@@ -73,6 +76,11 @@ fn self_name(of: &ItemImpl) -> Option<String> {
     path.path.segments.last().map(|segment| segment.ident.to_string())
 }
 
+/// The generics of an `impl`, with their bounds.
+fn bounds(of: &ItemImpl) -> String {
+    format!("{}{}", plain(&of.generics), plain(&of.generics.where_clause))
+}
+
 /// What a method, constant or type of a trait or of an `impl` looks like to callers.
 fn member(item: &ImplItem) -> Option<String> {
     match item {
@@ -84,6 +92,27 @@ fn member(item: &ImplItem) -> Option<String> {
         }
         _ => None,
     }
+}
+
+/// The arguments of a macro that makes an enum: they end with semicolons, or with commas in braces.
+fn arguments(text: &str) -> Vec<String> {
+    let (mut parts, mut depth, mut quoted) = (vec![String::new()], 0, false);
+    for c in text.chars() {
+        quoted ^= c == '"';
+        match c {
+            _ if quoted => {}
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            _ => {}
+        }
+        let ends = !quoted && (c == ';' && depth < 2 || c == ',' && depth == 1);
+        if ends || c == '{' && depth == 1 {
+            parts.push(String::new());
+        } else if !(c == '}' && depth == 0) {
+            parts.last_mut().expect("one at least").push(c);
+        }
+    }
+    parts
 }
 
 struct Surface<'a> {
@@ -148,13 +177,15 @@ impl Surface<'_> {
         let items = &self.tree[&home].items;
         let found = items.iter().find(|item| named(item).is_some_and(|(own, _)| own == name));
         let Some(found) = found else {
-            self.line(path, &format!("made by a macro{condition}"));
-            return self.made(items, path);
+            self.line(path, &format!("enum made by a macro{condition}"));
+            self.made(items, path);
+            return self.implemented(&home, &name, path);
         };
         let told = notes(attributes(found)) + condition;
         match found {
             Item::Fn(item) => self.line(path, &format!("{}{told}", plain(&item.sig))),
             Item::Const(item) => self.line(path, &format!("const {}{told}", plain(&item.ty))),
+            Item::Static(item) => self.line(path, &format!("static {}{told}", plain(&item.ty))),
             Item::Type(item) => {
                 self.line(path, &format!("type {}{told}", plain(&item.ty)));
             }
@@ -193,16 +224,49 @@ impl Surface<'_> {
         self.implemented(&home, &name, path);
     }
 
-    /// The arguments of a macro that makes an enum, one line each.
+    /// The arguments of a macro that makes an enum, one line each, comments left out.
     fn made(&mut self, items: &[Item], path: &[String]) {
-        for item in items {
-            let Item::Macro(item) = item else { continue };
-            if item.ident.is_none() {
-                for part in item.mac.tokens.to_string().split([';', '{', '}']) {
-                    let part = part.split_whitespace().collect::<Vec<_>>().join(" ");
-                    if part.len() > 1 {
-                        self.line(path, &part);
+        let calls = items.iter().filter_map(|item| match item {
+            Item::Macro(item) if item.ident.is_none() => Some(item.mac.tokens.to_string()),
+            _ => None,
+        });
+        for tokens in calls.collect::<Vec<_>>() {
+            let mut text = String::new();
+            for part in tokens.split('#') {
+                let doc = part.trim_start().strip_prefix("[doc = ");
+                let code =
+                    doc.map_or(part, |rest| rest.split_once("\"]").map_or("", |(_, code)| code));
+                text.push_str(code);
+            }
+            for part in arguments(&text) {
+                let part = part.split_whitespace().collect::<Vec<_>>().join(" ");
+                if part.len() > 1 {
+                    self.line(path, &part);
+                }
+            }
+        }
+    }
+
+    /// What macros add to types: calls by their arguments, definitions by what they declare.
+    fn macros(&mut self) {
+        for module in self.tree.values() {
+            let home = [module.file.clone()];
+            for item in &module.items {
+                let Item::Macro(item) = item else { continue };
+                let text = plain(&item.mac.tokens);
+                let exported = item.attrs.iter().any(|a| a.path().is_ident("macro_export"));
+                if let Some(name) = &item.ident {
+                    let words: Vec<&str> = text.split("pub ").skip(1).collect();
+                    for word in words {
+                        let end = word.find([':', '(', '{', ';', '=']).unwrap_or(word.len());
+                        self.line(&home, &format!("macro {name}: pub {}", word[..end].trim()));
                     }
+                    if exported {
+                        self.line(&home, &format!("macro_export {name}"));
+                    }
+                } else {
+                    let short: String = text.chars().take(60).collect();
+                    self.line(&home, &format!("{}! {short}", plain(&item.mac.path)));
                 }
             }
         }
@@ -220,11 +284,13 @@ impl Surface<'_> {
                     continue;
                 }
                 if let Some((_, of, _)) = &item.trait_ {
-                    let text = format!("impl {} for {}", plain(of), plain(&item.self_ty));
+                    let (of, ty) = (plain(of), plain(&item.self_ty));
+                    let text = format!("impl{} {of} for {ty}", bounds(item));
                     self.line(path, &format!("{text}{}", notes(&item.attrs)));
                 } else {
+                    let told = bounds(item) + &notes(&item.attrs);
                     for text in item.items.iter().filter_map(member) {
-                        self.line(path, &format!("{text}{}", notes(&item.attrs)));
+                        self.line(path, &format!("{text} of impl{told}"));
                     }
                 }
             }
@@ -237,6 +303,7 @@ fn public_items_are_listed() {
     let tree = tree();
     let mut surface = Surface { tree: &tree, lines: Vec::new(), known: BTreeMap::new() };
     surface.module(&[], &["lobe".to_owned()]);
+    surface.macros();
     let mut lines = surface.lines;
     assert!(lines.len() > 600, "only {} public items found", lines.len());
     lines.push(String::new());

@@ -14,6 +14,9 @@ use lobe::{Footprint, Kernel, PixelFilter, Real};
 use rust::{Function, aliases, functions, value};
 use wgsl::{Declared, declared};
 
+/// Methods of operators, whose aliases stand at their types.
+const OPERATORS: [&str; 3] = ["add", "sub", "mul"];
+
 /// The Rust file of a module.
 fn rust_text(path: &str) -> Option<String> {
     let file = format!("{}/src/{path}.rs", env!("CARGO_MANIFEST_DIR"));
@@ -158,7 +161,7 @@ fn each_function_of_the_port_names_its_twin() {
                 found.push(format!("{place}: there is no `{twin}` in {:?}", homes(path)));
             }
             // A public function or operator that the port has names it, and can be asked for.
-            let operator = ["add", "sub", "mul"].contains(&last);
+            let operator = OPERATORS.contains(&last);
             let public = all.iter().find(|f| (f.public || operator) && f.is(twin));
             let short = declared.name.strip_prefix("lobe_");
             if let (Some(function), Some(short)) = (public, short) {
@@ -258,15 +261,22 @@ fn names() -> String {
     let all = rust_files();
     let given =
         |name: &str| all.iter().any(|(_, text)| aliases(text).iter().any(|alias| alias == name));
+    let private = |path: &str, twin: &str| {
+        let texts: Vec<String> = homes(path).into_iter().filter_map(rust_text).collect();
+        let operator = twin.rsplit("::").next().is_some_and(|last| OPERATORS.contains(&last));
+        let found = texts.iter().flat_map(|text| functions(text)).find(|f| f.is(twin));
+        found.is_some_and(|function| !function.public && !operator && !function.of_trait)
+    };
     let mut alone = Vec::new();
-    for (_, declared) in port() {
+    for (path, declared) in port() {
         let short = declared.name.split_once('_').map_or("", |(_, short)| short);
         let asked = Item::from_name(short).is_ok();
         let name = &declared.name;
-        match declared.twins.first() {
-            Some(twin) if asked || given(name) => rows.push(format!("| `{twin}` | `{name}` |")),
-            None if asked => alone.push(format!("- `{name}`")),
-            _ => {}
+        let twins = declared.twins.iter().filter(|twin| !private(path, twin));
+        let known: Vec<&String> = twins.filter(|_| asked || given(name)).collect();
+        rows.extend(known.iter().map(|twin| format!("| `{twin}` | `{name}` |")));
+        if asked && known.is_empty() {
+            alone.push(format!("- `{name}`"));
         }
     }
     rows.extend(["", "# Only in WGSL", ""].map(String::from));

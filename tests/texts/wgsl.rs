@@ -119,7 +119,7 @@ fn derivatives_are_the_fragment_files_alone() {
 #[test]
 fn no_items_give_no_text_and_unknown_names_are_named() {
     assert!(source(&[]).is_empty());
-    for name in ["", "lobe_ggx_d", "ggx_D", "ggx_d ", "pi"] {
+    for name in ["", "lobe_ggx_e", "ggx_D", "ggx_d ", "pi"] {
         assert_eq!(Item::from_name(name), Err(Error::Unknown(name.to_owned())));
         let message = Item::from_name(name).unwrap_err().to_string();
         assert!(message.contains(&format!("`{name}`")), "{message}");

@@ -326,7 +326,7 @@ fn mistakes_are_one_line_that_names_them() {
         (&["--cap", "steep"], "--cap"),
         (&["--cap", "1e39"], "'1e39' for '--cap <SLOPE>': not a finite number"),
         (&["--range", "0.1"], "--range 0.1: the map's slopes reach"),
-        (&["--range", "0"], "--range 0: must lie in"),
+        (&["--range", "0"], "--range 0: range = 0 is not in (1e-9, 1e9]"),
         (&["--range", "NaN"], "'NaN' for '--range <SLOPE>': not a finite number"),
         (&["--range", "inf"], "--range"),
         (&["--range", "x"], "--range"),

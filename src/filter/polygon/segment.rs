@@ -74,7 +74,7 @@ pub(super) fn near_apex_mean<R: Real>(d: R, t0: R, t1: R, length: R) -> R {
     (sum / (R::PI * q * s * end * (length * length))).max(R::ZERO)
 }
 
-/// Mean over the segment with weight growing from 0 at `t0` to 2 at `t1`: a fibre of a triangle
+/// Mean over the segment with weight growing from 0 at `t0` to 2 at `t1`: a fiber of a triangle
 /// from its apex. `length = t1 - t0`, known better than by that difference.
 ///
 /// $\frac{2}{\pi \ell^2} \int (t - t_0)/(q + t^2)^2 dt = \frac{2}{\pi \ell^2}

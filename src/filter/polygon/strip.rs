@@ -1,7 +1,7 @@
 //! A whitened footprint, and the strip along its longer side.
 //!
 //! Layer 3. The common case of a thin footprint: its shorter side is short against its distance
-//! from the lobe, so that fibres along the longer one change smoothly across.
+//! from the lobe, so that fibers along the longer one change smoothly across.
 
 use super::segment::{near_mean, uniform_mean};
 use crate::scalar::Real;
@@ -42,7 +42,7 @@ impl<R: Real> Whitened<R> {
     }
 
     #[inline(always)]
-    pub(super) fn center_squared(&self) -> R {
+    pub(super) fn midpoint_squared(&self) -> R {
         dot(self.midpoint, self.midpoint)
     }
 
@@ -170,10 +170,10 @@ impl<R: Real> Strip<R> {
     }
 
     #[inline(always)]
-    fn mean_of<const N: usize>(&self, rule: &Rule<N>, fibre: impl Fn(R, R, R, R) -> R) -> R {
+    fn mean_of<const N: usize>(&self, rule: &Rule<N>, fiber: impl Fn(R, R, R, R) -> R) -> R {
         rule.mean(|y| {
             let slide = y * self.lean;
-            fibre(self.n + y * self.rise, self.start + slide, self.end + slide, self.length)
+            fiber(self.n + y * self.rise, self.start + slide, self.end + slide, self.length)
         })
     }
 }

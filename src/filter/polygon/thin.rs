@@ -1,13 +1,13 @@
 //! A thin parallelogram under the unit GGX density: exact along, Gauss-Legendre across.
 //!
-//! Layer 3. The edges' terms of a thin polygon cancel; its fibres' means do not.
+//! Layer 3. The edges' terms of a thin polygon cancel; its fibers' means do not.
 
 use super::frame::Frame;
 use super::segment::{apex_mean, near_apex_mean, near_mean, uniform_mean, unit_density};
 use crate::scalar::Real;
 use crate::scalar::quadrature::{GAUSS_FOUR, Rule};
 
-/// How far the ends of fibres may slide past the lobe, in distances, for one rule to follow.
+/// How far the ends of fibers may slide past the lobe, in distances, for one rule to follow.
 const SLIDE: f64 = 0.25 * 0.25;
 
 /// The square of how thick a parallelogram is where it matters: the largest ratio, over the pieces
@@ -40,13 +40,13 @@ pub(super) fn thickness_squared<R: Real>(p: &Frame<R>) -> R {
 
 /// Mean of the unit density over a parallelogram that is thin, by [`thickness_squared`].
 ///
-/// Fibres run along the long side. Where the short side reaches far along the long one, the ends of
-/// such fibres would sweep past the lobe, and no rule across would follow; the parallelogram is
+/// Fibers run along the long side. Where the short side reaches far along the long one, the ends of
+/// such fibers would sweep past the lobe, and no rule across would follow; the parallelogram is
 /// then cut square into a rectangle and two triangles whose short sides lie across. A zero height
 /// is no special case.
 #[inline(always)]
 pub(super) fn mean<R: Real, const N: usize>(p: &Frame<R>, rule: &Rule<N>) -> R {
-    // Within three units of the lobe; its fibres' products of four lengths must stay in range.
+    // Within three units of the lobe; its fibers' products of four lengths must stay in range.
     let near = R::lit(3.0 * 3.0);
     if p.nearness <= near && p.height * p.height <= near && p.length <= R::lit(1e6) {
         mean_of(p, rule, near_mean, near_apex_mean)
@@ -86,24 +86,24 @@ fn mean_of<R: Real, const N: usize>(
     let (nodes, weights) = rule.points();
     let (mut left, mut right) = ([R::ZERO; N], [R::ZERO; N]);
     for k in 0..N {
-        let [d, t0, t1, length] = triangle_fibre(p, [p.low[0], p.low_n], start, nodes[k]);
+        let [d, t0, t1, length] = triangle_fiber(p, [p.low[0], p.low_n], start, nodes[k]);
         left[k] = weights[k] * apex(d, t0, t1, length);
     }
     for k in 0..N {
-        let [d, t0, t1, length] = triangle_fibre(p, [-p.high[1], -p.high_n], -end, nodes[k]);
+        let [d, t0, t1, length] = triangle_fiber(p, [-p.high[1], -p.high_n], -end, nodes[k]);
         right[k] = weights[k] * apex(d, t0, t1, length);
     }
     let triangles = left.iter().chain(&right).fold(R::ZERO, |sum, &mean| sum + mean);
     (middle * p.square + triangles * (half * p.shear)) / p.length
 }
 
-/// The fibre from a triangle's apex to its base, `shear` away, at height `y` of the base: distance
+/// The fiber from a triangle's apex to its base, `shear` away, at height `y` of the base: distance
 /// of its line, ends, length.
 ///
-/// The distance comes from the nearer end: of a fibre of a million lobes, the farther one has no
+/// The distance comes from the nearer end: of a fiber of a million lobes, the farther one has no
 /// digits for it.
 #[inline(always)]
-fn triangle_fibre<R: Real>(p: &Frame<R>, apex: [R; 2], base: R, y: R) -> [R; 4] {
+fn triangle_fiber<R: Real>(p: &Frame<R>, apex: [R; 2], base: R, y: R) -> [R; 4] {
     let rise = (y + R::HALF) * p.height;
     let inverse = R::ONE / (p.shear * p.shear + rise * rise).sqrt();
     let (run, climb) = (p.shear * inverse, rise * inverse);

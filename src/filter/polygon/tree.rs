@@ -91,7 +91,7 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
     /// another form. It answers the open question of Kaplanyan et al. 2016, section 5.3.
     ///
     /// ```
-    /// use lobe::{Footprint, Anisotropic, Ggx, Roughness};
+    /// use lobe::{Anisotropic, Footprint, Ggx, Roughness};
     /// let ggx = Ggx::new(Anisotropic::new(Roughness::from_alphas(0.1_f64, 0.02, 0.4)?));
     /// let wide = Footprint::from_slopes([300.0, 0.0], [100.0, 400.0]);
     /// let mass = ggx.parallelogram_mean([0.0, 0.0], &wide) * wide.area();
@@ -124,7 +124,7 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
     ) -> S::Scalar {
         let shape = self.shape();
         let root_det = shape.root_det();
-        let (center2, side2) = (whitened.center_squared(), whitened.longer_side_squared());
+        let (center2, side2) = (whitened.midpoint_squared(), whitened.longer_side_squared());
         // The distance to the footprint is at least two thirds of that to its center, or does not
         // matter.
         let nearness = S::Scalar::ONE + S::Scalar::lit(4.0 / 9.0) * center2;
@@ -179,7 +179,7 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
     /// stable where the closed form of Appendix A is not.
     ///
     /// Source: Kaplanyan et al. 2016, Eq. 16, for any A and mean; see
-    /// [`kaplanyan_rectangle_mean`](crate::filter::kaplanyan_rectangle_mean) for the paper's form.
+    /// `kaplanyan_rectangle_mean` for the paper's form.
     ///
     /// ```
     /// use lobe::{Ggx, Isotropic};

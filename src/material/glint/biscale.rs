@@ -57,6 +57,8 @@ impl<R: Real> Biscale<R> {
         if let Some(&x) = [f, g].iter().find(|&&x| !(x > R::ZERO && x <= R::ONE)) {
             return Err(Error::Fraction(x.into()));
         }
+        // Refused by the numbers that were given, not by their products.
+        Roughness::from_alphas(a, b, R::ZERO)?;
         // (1 - f)(1 + f) keeps the digits of 1 - f^2.
         let rest = |f: R| ((R::ONE - f) * (R::ONE + f)).sqrt();
         let local = Roughness::from_alphas(a * f, b * g, R::ZERO)?;

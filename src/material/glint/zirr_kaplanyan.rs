@@ -96,7 +96,7 @@ impl<R: Real> ZirrKaplanyan<R> {
             return R::ZERO;
         }
         let probability = self.probability(h, cosine, gamma);
-        let pixel = Pixel { published: self, h, gamma, probability };
+        let pixel = Pixel { model: self, h, gamma, probability };
         let (grid, _) = self.grid(patch);
         let (mut sums, mut shares) = ([R::ZERO; 2], [R::MIN_POSITIVE; 2]);
         self.visit(patch, |CoveredCell { index, exponent, share }| {
@@ -173,7 +173,7 @@ impl<R: Real> ZirrKaplanyan<R> {
 
 /// What all cells of a pixel share.
 struct Pixel<'a, R> {
-    published: &'a ZirrKaplanyan<R>,
+    model: &'a ZirrKaplanyan<R>,
     h: [R; 3],
     gamma: R,
     probability: R,
@@ -182,12 +182,12 @@ struct Pixel<'a, R> {
 impl<R: Real> Pixel<'_, R> {
     /// Share of a cell's details that reflect.
     fn ratio(&self, index: [i64; 2], exponent: i32) -> R {
-        let ZirrKaplanyan { biscale, density, variation, dynamic_range } = *self.published;
+        let ZirrKaplanyan { biscale, density, variation, dynamic_range } = *self.model;
         let shifted = index.map(|i| if i == 0 { 0 } else { i >> i.trailing_zeros() } as u32);
         let [a, b, c, _] = hash([shifted[0], shifted[1], 0, 0]);
         let jitter = [uniform::<R>(a), uniform(b)];
         let [xx, _, yy] = biscale.local().matrix().entries();
-        let (alphas, stretch) = ([xx.sqrt(), yy.sqrt()], self.published.stretch());
+        let (alphas, stretch) = ([xx.sqrt(), yy.sqrt()], self.model.stretch());
         let seed = [0, 1].map(|k| {
             let q = self.h[k] / (self.h[2] + R::ONE) * R::lit(0.75);
             let bin = (q * stretch[k] / (alphas[k] + self.gamma) + jitter[k]).floor();

@@ -43,14 +43,14 @@ impl<R: Real, T: AsRef<[[R; 3]]>> CubeMap<R, T> {
     /// `face`^2 are the map, the rest is room for its levels, which are built by boxes.
     ///
     /// # Errors
-    /// [`Error::MapSize`].
+    /// [`Error::CubeMap`].
     pub fn new(face: usize, mut texels: T) -> Result<Self, Error>
     where
         T: AsMut<[[R; 3]]>,
     {
         let all = texels.as_mut();
         if !face.is_power_of_two() || all.len() != Self::texels(face) {
-            return Err(Error::MapSize { size: [face, 6 * face], texels: all.len() });
+            return Err(Error::CubeMap { face, texels: all.len() });
         }
         let (mut side, mut rest) = (face, all);
         let mut last = 0;

@@ -34,12 +34,12 @@ impl<R: Real> Leadr<R> {
     pub fn diffuse<const N: usize>(
         &self,
         wo: impl Into<[R; 3]>,
-        grid: &Quadrature<R, N>,
+        quadrature: &Quadrature<R, N>,
         normalization: Normalization,
         irradiance: impl Fn([R; 3]) -> [R; 3],
     ) -> [R; 3] {
         let inverse_pi = R::lit(core::f64::consts::FRAC_1_PI);
-        self.mean_over_facets(wo.into(), grid, normalization, |facet| {
+        self.mean_over_facets(wo.into(), quadrature, normalization, |facet| {
             irradiance(facet.normal).map(|e| e * inverse_pi)
         })
     }

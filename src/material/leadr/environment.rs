@@ -27,6 +27,7 @@ impl<R: Real, F: Fn([R; 3], R) -> [R; 3]> Light<R> for F {
 /// What a sum over facets is divided by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Normalization {
     /// The projected area $\sigma(w_o)$ in closed form: without bias as the grid grows, and no sum
     /// to keep. A constant light comes out as S/sigma, off by what the grid misses of the area
@@ -70,7 +71,7 @@ impl<R: Real> Leadr<R> {
     pub fn environment<const N: usize>(
         &self,
         wo: impl Into<[R; 3]>,
-        grid: &Quadrature<R, N>,
+        quadrature: &Quadrature<R, N>,
         shadowing: Shadowing,
         normalization: Normalization,
         fresnel: &Fresnel<R>,
@@ -81,7 +82,7 @@ impl<R: Real> Leadr<R> {
             Shadowing::Both => Some(self.reaching_from(wo)),
             Shadowing::MaskingOnly => None,
         };
-        self.mean_over_facets(wo, grid, normalization, |facet| {
+        self.mean_over_facets(wo, quadrature, normalization, |facet| {
             let reaching = share.as_ref().map_or(R::ONE, |share| share(facet.wi));
             let radiance = light.radiance(facet.wi, facet.solid_angle);
             let reflected = fresnel.reflectance(facet.cosine);
@@ -93,7 +94,7 @@ impl<R: Real> Leadr<R> {
     pub(super) fn mean_over_facets<const N: usize>(
         &self,
         wo: [R; 3],
-        grid: &Quadrature<R, N>,
+        quadrature: &Quadrature<R, N>,
         normalization: Normalization,
         shade: impl Fn(&Facet<R>) -> [R; 3],
     ) -> [R; 3] {
@@ -107,7 +108,7 @@ impl<R: Real> Leadr<R> {
         };
         for j in 0..N {
             for k in 0..N {
-                add(&self.facet(wo, grid.node(j, k)));
+                add(&self.facet(wo, quadrature.node(j, k)));
             }
         }
         let divisor = match normalization {

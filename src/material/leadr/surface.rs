@@ -14,6 +14,7 @@ use crate::slope::{Anisotropic, Lobe, LobeShape, NonCentered};
 /// inconsistent between scales.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Shadowing {
     /// Masking and shadowing, height-correlated: $1/(1 + \Lambda_o + \Lambda_i)$.
     ///

@@ -14,6 +14,7 @@ use alloc::vec::Vec;
 /// What lies beyond a map's edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Border {
     /// The map again.
     Wrap,

@@ -230,7 +230,7 @@ fn raw_of_unorm<R: Real>(mean: [R; 2], second: [R; 3], range: R) -> ([R; 2], [R;
 }
 
 impl<R: Real> SlopeMoments<R> {
-    /// From what a sampler gives of [`Unorm16`](crate::material::lean::Unorm16) textures: numbers
+    /// From what a sampler gives of [`Unorm16`] textures: numbers
     /// in \[0, 1\], filtered or not, and the range they were written for.
     ///
     /// Negative eigenvalues that rounding leaves become 0, as in [`SlopeMoments::from_raw`].

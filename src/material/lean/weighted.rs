@@ -28,8 +28,8 @@ impl<R: Real> MomentMap<R> {
     ///
     /// # Errors
     /// [`Error::Length`] unless there are as many weights as slopes; [`Error::Weight`] if a weight
-    /// is negative, infinite or NaN, or all are 0; for the rest as [`MomentMap::from_slopes`],
-    /// [`Error::Mean`] of slopes that count.
+    /// is negative, infinite or NaN, [`Error::WeightSum`] if all are 0; for the rest as
+    /// [`MomentMap::from_slopes`], [`Error::Mean`] of slopes that count.
     ///
     /// ```
     /// use lobe::material::lean::{Border, MomentMap};
@@ -133,7 +133,7 @@ impl<R: Real> MomentMap<R> {
             return Err(match bad {
                 _ if slopes.is_empty() => Error::MapSize { size, texels: 0 },
                 Some(weight) => Error::Weight(weight.into()),
-                None => Error::Weights,
+                None => Error::WeightSum(R::ZERO.into()),
             });
         };
         let known = slopes[heaviest];

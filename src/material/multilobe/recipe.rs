@@ -7,6 +7,7 @@ use crate::error::Error;
 /// Where the lobes of a dictionary's marginals stand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum LobeMeans {
     /// One in each of as many equal parts of the normal distribution as there are marginals, with
     /// what variance the lobes leave of 1: the dictionary's mean is the smooth lobe, as nearly as

@@ -35,8 +35,9 @@ fn lobe_gaussian_adjugate_form(psd: LobePsd, d: vec2f, d_low: vec2f) -> f32 {
         let scale = lobe_max(psd.xx, psd.yy);
         return select(0.0, u * (u / scale), scale > 0.0);
     }
-    let full = lobe_anisotropic_new(LobeRoughness(psd));
-    return full.root_det * lobe_anisotropic_form(full, vec3f(d, 0.0), vec3f(d_low, 0.0));
+    let anisotropic = lobe_anisotropic_new(LobeRoughness(psd));
+    return anisotropic.root_det
+        * lobe_anisotropic_form(anisotropic, vec3f(d, 0.0), vec3f(d_low, 0.0));
 }
 
 // Rust: `ggx_gaussian_mean`. 0 for a slope that is infinite or NaN.

@@ -42,7 +42,7 @@ const LOBE_VMF_WIDENING_THE_ORDER: f32 = 0.5;
 const LOBE_VMF_WIDENING_SPECULAR_AA: f32 = 2.0;
 
 // Rust: `VmfWidening::alpha`, the gain last. Gains outside [0, 1e9] count as the nearest, NaN as 0.
-fn lobe_vmf_alpha(alpha: f32, length: f32, gain: f32) -> f32 {
+fn lobe_vmf_widening_alpha(alpha: f32, length: f32, gain: f32) -> f32 {
     let a = lobe_magnitude(alpha);
     let added = lobe_min(
         lobe_magnitude(gain) / lobe_vmf_sharpness(length), LOBE_LARGEST * LOBE_LARGEST

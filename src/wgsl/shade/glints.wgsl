@@ -2,7 +2,7 @@
 // src/shade/glints.rs.
 
 // Rust: `GlintShading::evaluate`, with the reflectance at `lobe_half_cosine`. 0 for NaN.
-fn lobe_glint_evaluate(
+fn lobe_glint_shading_evaluate(
     lobe: LobeGlintNdf, wo: vec3f, wi: vec3f, radius: f32, reflectance: vec3f
 ) -> vec3f {
     let brdf = lobe_glint_ndf_brdf(lobe, wo, wi, radius);
@@ -13,7 +13,7 @@ fn lobe_glint_evaluate(
 
 // Rust: `GlintShading::evaluate_colored`, with the hue wheel and the reflectance at
 // `lobe_half_cosine`. 0 for NaN.
-fn lobe_glint_evaluate_colored(
+fn lobe_glint_shading_evaluate_colored(
     lobe: LobeGlintNdf, wo: vec3f, wi: vec3f, radius: f32, reflectance: vec3f
 ) -> vec3f {
     let shape = lobe_lobe_shape(lobe_glint_ndf_smooth_lobe(lobe));

@@ -2,7 +2,7 @@
 // src/shade/multilobe.rs.
 
 // Rust: `MultiLobeShading::evaluate`, with the reflectance at `lobe_half_cosine`. 0 for NaN.
-fn lobe_patch_ndf_evaluate(
+fn lobe_multi_lobe_shading_evaluate(
     lobe: LobePatchNdf, frame: LobeMeanFrame, wo: vec3f, wi: vec3f, reflectance: vec3f
 ) -> vec3f {
     let local = lobe_mean_frame_to_local(frame, wi);

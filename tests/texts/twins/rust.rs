@@ -7,6 +7,8 @@ pub(crate) struct Function {
     /// `Type::name`, `Trait::name`, or `name`.
     pub(crate) path: String,
     pub(crate) public: bool,
+    /// Of a trait, declared or implemented: as public as the trait.
+    pub(crate) of_trait: bool,
     /// Its documentation aliases that begin with `lobe_`.
     pub(crate) aliases: Vec<String>,
 }
@@ -72,7 +74,7 @@ pub(crate) fn aliases(text: &str) -> Vec<String> {
 pub(crate) fn functions(text: &str) -> Vec<Function> {
     let text = text.split("#[cfg(test)]").next().unwrap_or_default();
     let (mut found, mut place) = (Vec::new(), (String::new(), false));
-    let (mut aliases, mut hidden) = (Vec::new(), false);
+    let (mut aliases, mut hidden, mut implements) = (Vec::new(), false, false);
     for line in text.lines() {
         let bare = line.trim_start();
         let indented = line.len() - bare.len();
@@ -87,6 +89,7 @@ pub(crate) fn functions(text: &str) -> Vec<Function> {
         if indented == 0 {
             if let Some(new) = home(line) {
                 place = new;
+                implements = line.starts_with("impl") && line.contains(" for ");
             } else if bare.starts_with('}') {
                 place = (String::new(), false);
             }
@@ -106,7 +109,8 @@ pub(crate) fn functions(text: &str) -> Vec<Function> {
             let within = indented > 0 && !place.0.is_empty();
             let path = if within { format!("{}::{name}", place.0) } else { name };
             let public = (stated.is_some() || (within && place.1)) && !hidden;
-            found.push(Function { path, public, aliases: std::mem::take(&mut aliases) });
+            let of_trait = within && (place.1 || implements);
+            found.push(Function { path, public, of_trait, aliases: std::mem::take(&mut aliases) });
         }
         aliases.clear();
         hidden = false;

@@ -195,7 +195,7 @@ fn layouts_of_two_channels_are_pointed_out() {
 fn real_maps_are_taken_as_they_are() {
     let (_, out) = files("real");
     let assets = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/report/assets");
-    for name in ["diamond-plate", "leather", "wood-fibre"] {
+    for name in ["diamond-plate", "leather", "wood-fiber"] {
         assert_eq!(warned(&assets.join(format!("{name}.png")), &out, &[]).1, [""; 0]);
     }
     // The green of crumpled-paper.png points down, as the README beside it says.

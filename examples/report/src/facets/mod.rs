@@ -6,7 +6,7 @@
 
 mod body;
 mod dictionary;
-mod fibres;
+mod fibers;
 mod lobes;
 mod memory;
 mod method;
@@ -20,7 +20,7 @@ mod zoom;
 
 use serde::Serialize;
 
-pub(crate) use fibres::ASKEW;
+pub(crate) use fibers::ASKEW;
 pub(crate) use lobes::{CORRELATIONS, COUNTS, Lobes, Shown};
 pub(crate) use memory::Memory;
 pub(crate) use method::{Filter, name};

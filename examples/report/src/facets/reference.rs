@@ -17,7 +17,7 @@ pub(super) struct Reference {
 }
 
 impl Reference {
-    /// Jittered points in `side` rows and columns of each pixel; those of a chequerboard make a
+    /// Jittered points in `side` rows and columns of each pixel; those of a checkerboard make a
     /// half.
     pub(super) fn of(stage: &Stage, surface: &Surface<f64>, side: u32) -> Self {
         let width = stage.size.width;

@@ -5,7 +5,7 @@ use lobe::slope::direction::normalize;
 
 use super::Plan;
 use super::body::Body;
-use super::fibres::Fibres;
+use super::fibers::Fibers;
 use super::method::{FILTERS, MAPPINGS};
 use super::speed::Load;
 use super::stage::Stage;
@@ -41,12 +41,12 @@ const BALL_FACETS: f64 = 1e5;
 /// Distance of the eye, in widths of the picture.
 const FAR: f64 = 5.0;
 
-fn stage(width: usize, body: Body, lights: &[Vector<f64>], fibres: Option<Fibres>) -> Stage {
+fn stage(width: usize, body: Body, lights: &[Vector<f64>], fibers: Option<Fibers>) -> Stage {
     let size = Size::of_width(width);
     let distance = FAR * width as f64;
     let lights = lights.iter().map(|&light| normalize(light)).collect();
     let camera = Camera::looking(size, [0.0, -distance, 0.0], [0.0; 3], distance);
-    Stage { size, camera, body, lights, fibres, unit: 1.0 }
+    Stage { size, camera, body, lights, fibers, unit: 1.0 }
 }
 
 fn setting(plan: &Plan, alpha: f64, facets: f64) -> Setting {
@@ -69,8 +69,8 @@ pub(super) fn tube(plan: &Plan) -> Result<Trial, Error> {
 /// Under one light from the upper right, with a map of this many texels in a pixel.
 fn mapped(width: usize, body: Body, texels: f64) -> Result<Stage, String> {
     let map = combed_map()?;
-    let fibres = Fibres::of(&map.texture, texels).map_err(|error| error.to_string())?;
-    Ok(stage(width, body, &[[0.5, -0.7, 0.5]], Some(fibres)))
+    let fibers = Fibers::of(&map.texture, texels).map_err(|error| error.to_string())?;
+    Ok(stage(width, body, &[[0.5, -0.7, 0.5]], Some(fibers)))
 }
 
 /// The beads: curvature as the tube's, and the map.

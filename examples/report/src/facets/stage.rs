@@ -7,7 +7,7 @@ use lobe::{Error, Psd, Real, SlopeMoments};
 use serde::Serialize;
 
 use super::body::{Body, distance};
-use super::fibres::Fibres;
+use super::fibers::Fibers;
 use crate::camera::{Camera, Size};
 use crate::frame::Frame;
 use crate::vector::{Vector, dot, scaled};
@@ -33,7 +33,7 @@ pub(super) struct Stage {
     pub(super) body: Body,
     /// Unit directions.
     pub(super) lights: Vec<Vector<f64>>,
-    pub(super) fibres: Option<Fibres>,
+    pub(super) fibers: Option<Fibers>,
     /// Texture coordinates of a pixel's length on the body.
     pub(super) unit: f64,
 }
@@ -116,11 +116,11 @@ impl Stage {
         place: &Place,
         normals: Normals,
     ) -> Result<(MeanFrame<f64>, Option<SlopeMoments<f64>>), Error> {
-        let Some(fibres) = &self.fibres else { return Ok((MeanFrame::of([0.0; 2]), None)) };
+        let Some(fibers) = &self.fibers else { return Ok((MeanFrame::of([0.0; 2]), None)) };
         if normals == Normals::Point {
-            return Ok((MeanFrame::of(fibres.slope(place.patch.uv)), None));
+            return Ok((MeanFrame::of(fibers.slope(place.patch.uv)), None));
         }
-        let moments = fibres.moments(&place.patch);
+        let moments = fibers.moments(&place.patch);
         let frame = MeanFrame::of(moments.mean());
         let about = frame.moments(&moments);
         let [xx, _, yy] = about.covariance().entries();

@@ -91,7 +91,7 @@ fn stage(size: Size, radius: f64) -> Stage {
         camera: Camera::looking(size, eye, target, distance),
         body: Body::ball(radius),
         lights: vec![light],
-        fibres: None,
+        fibers: None,
         unit: 1.0,
     }
 }

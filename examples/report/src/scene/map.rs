@@ -16,7 +16,7 @@ pub(crate) struct NormalMap {
 const CARRIED: [(&str, &[u8]); 4] = [
     ("leather", include_bytes!("../../assets/leather.png")),
     ("diamond-plate", include_bytes!("../../assets/diamond-plate.png")),
-    ("wood-fibre", include_bytes!("../../assets/wood-fibre.png")),
+    ("wood-fiber", include_bytes!("../../assets/wood-fiber.png")),
     ("crumpled-paper", include_bytes!("../../assets/crumpled-paper.png")),
 ];
 

@@ -26,11 +26,12 @@ const LOBE_EDGES_TURN: f32 = 0.15915494309189535;
 
 // Rust: `around_the_lobe`; negative in place of None.
 fn lobe_edges_around_the_lobe(
-    w: LobeWhitened, center_squared: f32, side_squared: f32, footprint: LobeFootprint, root_det: f32
+    w: LobeWhitened, midpoint_squared: f32, side_squared: f32, footprint: LobeFootprint,
+    root_det: f32
 ) -> f32 {
     let area = w.u.x * w.v.y - w.u.y * w.v.x;
-    let q = 1.0 + center_squared;
-    let near = center_squared <= LOBE_EDGES_CLOSE && side_squared <= LOBE_EDGES_SHORT;
+    let q = 1.0 + midpoint_squared;
+    let near = midpoint_squared <= LOBE_EDGES_CLOSE && side_squared <= LOBE_EDGES_SHORT;
     let tall = lobe_max(LOBE_EDGES_TALL * q * q * q, LOBE_EDGES_TALL_FOR_SIDE * side_squared);
     let deep = LOBE_EDGES_DEEP * sqrt(side_squared);
     let height_squared = select(4.0 * deep, lobe_min(tall, LOBE_EDGES_HALF_DISTANCE * q), near);

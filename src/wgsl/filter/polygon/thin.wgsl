@@ -64,32 +64,32 @@ fn lobe_thin_mean_of(p: LobeFrame, count: u32, near: bool) -> f32 {
     for (var k = 0u; k < count; k++) {
         let point = lobe_gauss_point(count, k);
         let d = p.n + point.x * p.height;
-        var fibre = 0.0;
+        var fiber = 0.0;
         if short {
             let x = midpoint + LOBE_GAUSS_FOUR * p.square;
-            fibre = lobe_gauss_mean(vec4f(
+            fiber = lobe_gauss_mean(vec4f(
                 lobe_segment_unit_density(x.x, d), lobe_segment_unit_density(x.y, d),
                 lobe_segment_unit_density(x.z, d), lobe_segment_unit_density(x.w, d)
             ));
         } else {
-            fibre = lobe_segment_mean(near, d, start, end, p.square);
+            fiber = lobe_segment_mean(near, d, start, end, p.square);
         }
-        middle = middle + point.y * fibre;
+        middle = middle + point.y * fiber;
     }
     var triangles = 0.0;
     for (var k = 0u; k < 2u * count; k++) {
         let right = k >= count;
         let point = lobe_gauss_point(count, select(k, k - count, right));
         let apex = select(vec2f(p.low.x, p.low_n), vec2f(-p.high.y, -p.high_n), right);
-        let fibre = lobe_thin_triangle_fibre(p, apex, select(start, -end, right), point.x);
+        let fiber = lobe_thin_triangle_fiber(p, apex, select(start, -end, right), point.x);
         triangles = triangles
-            + point.y * lobe_segment_apex(near, fibre.x, fibre.y, fibre.z, fibre.w);
+            + point.y * lobe_segment_apex(near, fiber.x, fiber.y, fiber.z, fiber.w);
     }
     return (middle * p.square + triangles * (0.5 * p.shear)) / p.extent;
 }
 
-// Rust: `triangle_fibre`.
-fn lobe_thin_triangle_fibre(p: LobeFrame, apex: vec2f, base: f32, y: f32) -> vec4f {
+// Rust: `triangle_fiber`.
+fn lobe_thin_triangle_fiber(p: LobeFrame, apex: vec2f, base: f32, y: f32) -> vec4f {
     let rise = (y + 0.5) * p.height;
     let inverse = 1.0 / sqrt(p.shear * p.shear + rise * rise);
     let run = p.shear * inverse;

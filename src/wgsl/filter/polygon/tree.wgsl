@@ -85,9 +85,9 @@ fn lobe_polygon_mean_of(
 fn lobe_polygon_unit_mean(
     shape: LobeAnisotropic, w: LobeWhitened, offset: vec4f, footprint: LobeFootprint
 ) -> f32 {
-    let center_squared = lobe_strip_dot(w.midpoint, w.midpoint);
+    let midpoint_squared = lobe_strip_dot(w.midpoint, w.midpoint);
     let side_squared = lobe_max(lobe_strip_dot(w.u, w.u), lobe_strip_dot(w.v, w.v));
-    let nearness = 1.0 + 0.4444444444444444 * center_squared;
+    let nearness = 1.0 + 0.4444444444444444 * midpoint_squared;
     if side_squared <= LOBE_POLYGON_COARSE * nearness {
         return lobe_polygon_tensor_of_two(w);
     }
@@ -96,7 +96,7 @@ fn lobe_polygon_unit_mean(
     }
     if lobe_edges_serves_plain_corners(side_squared) {
         let around = lobe_edges_around_the_lobe(
-            w, center_squared, side_squared, footprint, shape.root_det
+            w, midpoint_squared, side_squared, footprint, shape.root_det
         );
         if around >= 0.0 {
             return around;

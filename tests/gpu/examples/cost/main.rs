@@ -45,7 +45,7 @@ const THREADS: &str = "LP_NUM_THREADS";
 fn main() -> ExitCode {
     let options = Options::parse();
     if !(options.alpha > 0.0 && options.alpha <= 1.0) {
-        say(&format!("error: --alpha {}: must lie in (0, 1]", options.alpha));
+        say(&format!("error: --alpha {0}: alpha = {0} is not in (0, 1]", options.alpha));
         return ExitCode::from(2);
     }
     if options.functions {

@@ -198,8 +198,8 @@ super::twins! {
         let wo = x.vec::<R, 3>();
         pixel.sample(wo, [0; 7].map(|_| x.f()))
     };
-    "patch_ndf_evaluate" flips LEVELS (Facets, Patch, Tilt, Relief, Mirrored, Reflectance)
-        "lobe_patch_ndf_evaluate(
+    "multi_lobe_shading_evaluate" flips LEVELS (Facets, Patch, Tilt, Relief, Mirrored, Reflectance)
+        "lobe_multi_lobe_shading_evaluate(
             lobe_patch_ndf_over(patched($0, $1), lobe_slope_moments_new($2, $3)),
             lobe_mean_frame_of($2), $4, lobe_fresnel_schlick($5, lobe_half_cosine($4)))" => |x| {
         let (facets, patch) = (x.facets::<R>(), x.patch());

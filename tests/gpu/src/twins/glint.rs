@@ -244,14 +244,14 @@ super::twins! {
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
         light_blur(wo, wi, x.f::<R>())
     };
-    "glint_evaluate" flips PIXELS (Glints, Patch, Mirrored, Radius, Reflectance)
-        "lobe_glint_evaluate(lobe_glints_ndf($0, $1), $2, $3, lobe_fresnel_schlick($4, \
+    "glint_shading_evaluate" flips PIXELS (Glints, Patch, Mirrored, Radius, Reflectance)
+        "lobe_glint_shading_evaluate(lobe_glints_ndf($0, $1), $2, $3, lobe_fresnel_schlick($4, \
             lobe_half_cosine($2)))" => |x| {
         evaluated::<R>(x, GlintShading::evaluate)
     };
-    "glint_evaluate_colored" flips PIXELS (Glints, Patch, Mirrored, Radius, Reflectance)
-        "lobe_glint_evaluate_colored(lobe_glints_ndf($0, $1), $2, $3, lobe_fresnel_schlick($4, \
-            lobe_half_cosine($2)))"
+    "glint_shading_evaluate_colored" flips PIXELS (Glints, Patch, Mirrored, Radius, Reflectance)
+        "lobe_glint_shading_evaluate_colored(lobe_glints_ndf($0, $1), $2, $3, \
+            lobe_fresnel_schlick($4, lobe_half_cosine($2)))"
         => |x| {
         evaluated::<R>(x, |shading, wo, wi, radius| {
             shading.evaluate_colored(wo, wi, radius, hue_wheel)

@@ -58,12 +58,12 @@ super::twins! {
     "vmf_sharpness" (MeanLength) "lobe_vmf_sharpness($0)" => |x| {
         vmf_sharpness(x.f::<R>()).expect("in range")
     };
-    "vmf_alpha" by "THE_ORDER" (Alpha, MeanLength)
-        "lobe_vmf_alpha($0, $1, LOBE_VMF_WIDENING_THE_ORDER)" => |x| {
+    "vmf_widening_alpha" by "THE_ORDER" (Alpha, MeanLength)
+        "lobe_vmf_widening_alpha($0, $1, LOBE_VMF_WIDENING_THE_ORDER)" => |x| {
         VmfWidening::THE_ORDER.alpha(x.f::<R>(), x.f()).expect("in range")
     };
-    "vmf_alpha" by "SPECULAR_AA" (Alpha, MeanLength)
-        "lobe_vmf_alpha($0, $1, LOBE_VMF_WIDENING_SPECULAR_AA)" => |x| {
+    "vmf_widening_alpha" by "SPECULAR_AA" (Alpha, MeanLength)
+        "lobe_vmf_widening_alpha($0, $1, LOBE_VMF_WIDENING_SPECULAR_AA)" => |x| {
         VmfWidening::SPECULAR_AA.alpha(x.f::<R>(), x.f()).expect("in range")
     };
     "slope_moments_from_unorm" (Unorm) "lobe_slope_moments_from_unorm($0)" => |x| {

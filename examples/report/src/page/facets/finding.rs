@@ -131,7 +131,7 @@ const UNCORRELATED: [&str; 6] = [
 /// Filters on a curved surface with a map.
 pub(super) fn beads(trial: &Trial) -> String {
     format!(
-        "Balls of {RADIUS} pixels radius with wood fibre, {BEAD_TEXELS} texel a pixel in the \
+        "Balls of {RADIUS} pixels radius with wood fiber, {BEAD_TEXELS} texel a pixel in the \
             middle, {ASKEW} degrees askew; {} RMSE \
          in means, with \u{3c1}: {}; without: {}. The box comes to {} and {}. Derivatives, with \
          \u{3c1} and s_K 0.5: {}, s_K 1: {}.",
@@ -150,9 +150,9 @@ pub(super) fn ball(trial: &Trial) -> String {
     let [apart, whole] = [name::APART, name::WHOLE].map(|name| trial.rmse(name));
     let worth = if whole < apart { "less" } else { "more" };
     format!(
-        "A ball with wood fibre, {TEXELS} texels a pixel in the middle, laid on {ASKEW} degrees \
+        "A ball with wood fiber, {TEXELS} texels a pixel in the middle, laid on {ASKEW} degrees \
             askew, as along its own axes \
-         fibres have no correlation; {} RMSE in means: {}. With \u{3c1} the error is {} {worth} \
+         fibers have no correlation; {} RMSE in means: {}. With \u{3c1} the error is {} {worth} \
          than without. Filters of half \
          vectors: {}; and {}; with \u{3c1}, between s_K 0.5 and 1 the nearer is {}, between the \
          box and none {}. 4 samples come to {}, \

@@ -7,21 +7,21 @@ use lobe::{Error, SlopeMoments};
 use crate::minify::STEEPEST;
 use crate::texture::Texture;
 
-/// Degrees between the map's axes and the surface's: along its own axes fibres have no correlation.
+/// Degrees between the map's axes and the surface's: along its own axes fibers have no correlation.
 pub(crate) const ASKEW: f64 = 40.0;
 
 /// Probes along the longer side of a pixel, at most.
 const PROBES: usize = 8;
 
 /// A map on lengths.
-pub(super) struct Fibres {
+pub(super) struct Fibers {
     moments: MomentMap<f64>,
     /// Texture coordinates per length, and the turn: cosine and sine.
     scale: f64,
     turn: [f64; 2],
 }
 
-impl Fibres {
+impl Fibers {
     /// A map with this many texels per unit of length.
     pub(super) fn of(texture: &Texture, texels: f64) -> Result<Self, Error> {
         let (sin, cos) = ASKEW.to_radians().sin_cos();
