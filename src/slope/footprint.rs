@@ -105,7 +105,8 @@ impl<R: Real> Footprint<R> {
             let above = h[2] > R::ZERO && h.iter().all(|x| x.is_finite());
             if above { Ok(slope_of(h)) } else { Err(Error::HalfVector(h.map(Value::from))) }
         };
-        let (s, r, t) = (slope(h.into())?, slope(right.into())?, slope(up.into())?);
+        let [s, r, t] = [h.into(), right.into(), up.into()].map(slope);
+        let (s, r, t) = (s?, r?, t?);
         Self { u: [r[0] - s[0], r[1] - s[1]], v: [t[0] - s[0], t[1] - s[1]] }.known()
     }
 

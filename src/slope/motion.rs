@@ -87,6 +87,7 @@ impl<R: Real> Footprint<R> {
         let above = g[2] > R::ZERO && g.iter().all(|x| x.is_finite());
         // The slope is minus the plane point.
         let [u, v] = [u, v].map(|motion| motion.plane_step(g).map(|x| -x));
-        if above { Self { u, v }.known() } else { Err(Error::HalfVector(g.map(Value::from))) }
+        let known = Self { u, v }.known();
+        if above { known } else { Err(Error::HalfVector(g.map(Value::from))) }
     }
 }

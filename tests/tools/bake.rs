@@ -340,8 +340,8 @@ fn mistakes_are_one_line_that_names_them() {
         (&["--coverage"], "normal.png: has no alpha channel, which --coverage"),
         (&["--coverage", "--channels", "ag"], "--coverage: --channels ag"),
         (&["--coverage", "--height", "1", "--texel", "1"], "--height"),
-        (&["--roughness", "1.01"], "--roughness 1.01: must lie in [0, 1]"),
-        (&["--roughness", "-0.1"], "--roughness -0.1: must lie in [0, 1]"),
+        (&["--roughness", "1.01"], "--roughness 1.01: perceptual = 1.01 is not in [0, 1]"),
+        (&["--roughness", "-0.1"], "--roughness -0.1: perceptual = -0.1 is not in [0, 1]"),
         (&["--roughness", "NaN"], "'NaN' for '--roughness <BASE>': not a finite number"),
         (&["--roughness", "x"], "'x' for '--roughness <BASE>': not a number"),
         // Numbers are repeated as they were written.

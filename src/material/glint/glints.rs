@@ -86,9 +86,8 @@ impl<R: Real> Glints<R> {
     ///
     /// Log-normal with mean 1, so cells differ and the density stays, but for cells that would have
     /// less than one detail: they have one. Of cells with one in the mean that is more than half,
-    /// and a
-    /// deviation of 1 makes 1.4 times as many details. Light keeps its mean in any case. At 0, the
-    /// default, all cells have as many.
+    /// and a deviation of 1 makes 1.4 times as many details. Light keeps its mean in any case. At
+    /// 0, the default, all cells have as many.
     ///
     /// # Errors
     /// [`Error::Variation`] outside [0, 4].

@@ -1,7 +1,8 @@
-// Chrome's WGSL compiler on the presets and on the whole mirror, without a browser, a GPU or a driver.
+// Chrome's WGSL compiler on the presets and on the whole port, without a browser, a GPU or a
+// driver.
 //
-// `npm ci && node check.mjs [PROGRAM]`; the texts come from PROGRAM, the example `wgsl` where it is built, or from
-// `cargo run --example wgsl`. Exit status: 0, or 1 with what Tint said.
+// `npm ci && node check.mjs [PROGRAM]`; the texts come from PROGRAM, the example `wgsl` where it is
+// built, or from `cargo run --example wgsl`. Exit status: 0, or 1 with what Tint said.
 
 import { execFileSync } from "node:child_process";
 import { resolve } from "node:path";
@@ -15,7 +16,8 @@ const [program, ...start] = process.argv[2]
 
 /** What the example prints. */
 function wgsl(...options) {
-  return execFileSync(program, [...start, ...options], { cwd: root, encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] });
+  const stdio = ["ignore", "pipe", "inherit"];
+  return execFileSync(program, [...start, ...options], { cwd: root, encoding: "utf8", stdio });
 }
 
 /** First words of the lines below a heading. */
@@ -42,7 +44,9 @@ const failures = [];
 const list = wgsl("--list");
 const presets = names(list, "Presets").map((name) => [name, ["--preset", name]]);
 const items = names(list, "Items");
-if (presets.length === 0 || items.length === 0) failures.push("the list of items or presets is empty");
+if (presets.length === 0 || items.length === 0) {
+  failures.push("the list of items or presets is empty");
+}
 for (const [name, options] of [...presets, ["all items", ["--items", items.join(",")]]]) {
   const found = await errors(wgsl(...options, "--entry"));
   if (found.length > 0) failures.push(`${name}: ${found.join("\n    ")}`);

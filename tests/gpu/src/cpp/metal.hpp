@@ -92,7 +92,12 @@ struct uint2 {
 
 struct uint4 {
     struct XYZW { using Scalar = uint; static constexpr int SIZE = 4; };
-    union { struct { uint x, y, z, w; }; uint data[4]; Swizzle<XYZW, uint2, 0, 1> xy; Swizzle<XYZW, uint2, 2, 3> zw; };
+    union {
+        struct { uint x, y, z, w; };
+        uint data[4];
+        Swizzle<XYZW, uint2, 0, 1> xy;
+        Swizzle<XYZW, uint2, 2, 3> zw;
+    };
     VECTOR(uint4, uint, 4)
     OPERATOR(uint4, ^)
     OPERATOR(uint4, >>)
