@@ -1,7 +1,8 @@
 //! The house: layers are folders, and a file imports only from its own layer and lower ones.
 
+use crate::source::{files_below, sources};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Folder or file under src/, and its layer.
 const LAYERS: [(&str, u8); 10] = [
@@ -25,31 +26,6 @@ const TABLES: [&str; 1] = ["wgsl/list.rs"];
 
 fn layer_of(name: &str) -> Option<u8> {
     LAYERS.iter().find(|(layer, _)| *layer == name).map(|&(_, number)| number)
-}
-
-/// All files of this extension below `folder`; none if there is no such folder.
-fn files_below(folder: &Path, wanted: &str) -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder).into_iter().flatten() {
-        let path = entry.expect("a readable entry").path();
-        if path.is_dir() && !path.ends_with("node_modules") {
-            files.extend(files_below(&path, wanted));
-        } else if path.extension().is_some_and(|extension| extension == wanted) {
-            files.push(path);
-        }
-    }
-    files.sort();
-    files
-}
-
-/// Every file under src, by its path relative to src, with its text.
-fn sources() -> Vec<(String, String)> {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let read = |path: PathBuf| {
-        let name = path.strip_prefix(&src).expect("below src").to_string_lossy().replace('\\', "/");
-        (name, fs::read_to_string(&path).expect("a readable file"))
-    };
-    files_below(&src, "rs").into_iter().map(read).collect()
 }
 
 /// The code of a file: comments blanked, lines kept.

@@ -1,9 +1,35 @@
-//! The crate's sources as a tree of modules, parsed by `syn`: what imports what, what callers see.
+//! The crate's sources: as files, and as a tree of modules that `syn` parses, for what imports what
+//! and what callers see.
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use syn::{Attribute, Item, Meta, UseTree, Visibility};
+
+/// All files of this extension below `folder`; none if there is no such folder.
+pub(crate) fn files_below(folder: &Path, wanted: &str) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).into_iter().flatten() {
+        let path = entry.expect("a readable entry").path();
+        if path.is_dir() && !path.ends_with("node_modules") {
+            files.extend(files_below(&path, wanted));
+        } else if path.extension().is_some_and(|extension| extension == wanted) {
+            files.push(path);
+        }
+    }
+    files.sort();
+    files
+}
+
+/// Every file under src, by its path relative to src, with its text.
+pub(crate) fn sources() -> Vec<(String, String)> {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let read = |path: PathBuf| {
+        let name = path.strip_prefix(&src).expect("below src").to_string_lossy().replace('\\', "/");
+        (name, fs::read_to_string(&path).expect("a readable file"))
+    };
+    files_below(&src, "rs").into_iter().map(read).collect()
+}
 
 /// A module: the file that has it, and its items.
 pub(crate) struct Module {

@@ -6,6 +6,7 @@
 mod rust;
 mod wgsl;
 
+use crate::source::sources;
 use crate::written::written;
 use lobe::filter::VmfWidening;
 use lobe::filter::engine::Engine;
@@ -33,28 +34,11 @@ fn homes(path: &str) -> Vec<&str> {
     }
 }
 
-/// Every Rust file but those that no shader can use.
+/// Every Rust file but those that no shader can use, by its path without the extension.
 fn rust_files() -> Vec<(String, String)> {
-    let src = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut files = Vec::new();
-    let mut open = vec![src.clone()];
-    while let Some(folder) = open.pop() {
-        for entry in std::fs::read_dir(folder).expect("a readable folder") {
-            let path = entry.expect("a readable entry").path();
-            let name =
-                path.strip_prefix(&src).expect("below src").to_string_lossy().replace('\\', "/");
-            if path.is_dir() && name != "wgsl" && name != "scalar/probe" {
-                open.push(path);
-            } else if let Some(name) = name.strip_suffix(".rs") {
-                files.push((
-                    name.to_owned(),
-                    std::fs::read_to_string(&path).expect("a readable file"),
-                ));
-            }
-        }
-    }
-    files.sort();
-    files
+    let used = |name: &str| !name.starts_with("wgsl/") && !name.starts_with("scalar/probe/");
+    let files = sources().into_iter().filter(|(name, _)| used(name));
+    files.map(|(name, text)| (name.replace(".rs", ""), text)).collect()
 }
 
 /// A public function without a twin, and the reason.
