@@ -125,11 +125,12 @@ impl Material {
         }
     }
 
-    /// The same by the paper and its shader, with the masking that ours has. It knows no colors.
+    /// How much brighter than the smooth lobe the pixel is by the paper and its shader, with our
+    /// masking and without colors.
     fn published(&self, lobe: &GlintNdf<f32>, pixel: &Pixel, light: &Incident) -> f32 {
         let (wo, wi) = (pixel.wo, light.wi);
         let biscale = self.glints.biscale().over(&pixel.bumps).widened(&light.kernel);
-        // It knows no tilted lobe either: slopes are told from the mean.
+        // The paper has no tilted lobe, so slopes are taken relative to the mean.
         let slope = slope_of(half_vector(wo, wi));
         let [x, y] = pixel.bumps.mean();
         let h = normal_of([slope[0] - x, slope[1] - y]);

@@ -39,14 +39,14 @@ pub(crate) struct Light {
 }
 
 impl Light {
-    /// Of this irradiance across its direction, which tells more than the radiance of something so
-    /// small.
+    /// A light of this irradiance across its direction: for so small a light, irradiance says more
+    /// than radiance.
     pub(crate) fn new(direction: DVec3, irradiance: Vec3, radius: f32) -> Self {
         let light = Self { direction: direction.normalize(), radiance: Vec3::ONE, radius };
         Self { radiance: irradiance / light.irradiance(), ..light }
     }
 
-    /// Across its direction.
+    /// The light's irradiance across its direction.
     pub(crate) fn irradiance(&self) -> Vec3 {
         self.radiance * (std::f32::consts::PI * self.radius.sin().powi(2))
     }

@@ -44,13 +44,13 @@ pub(crate) struct Arrival<R> {
 }
 
 impl Light<f64> {
-    /// A point light seen from `target` in the unit direction `towards`, with the distant light's
-    /// irradiance there.
+    /// A point light seen from `target` in the unit direction `towards`; its irradiance at `target`
+    /// is that of the distant light.
     pub(crate) fn point(target: Vector<f64>, towards: Vector<f64>, distance: f64) -> Self {
         Self::Point { position: along(target, distance, towards), power: distance * distance }
     }
 
-    /// The same, turned about the world's z axis.
+    /// The light, turned about the world's z axis.
     pub(crate) fn turned(&self, angle: f64) -> Self {
         match *self {
             Self::Distant(direction) => Self::Distant(turned(direction, angle)),

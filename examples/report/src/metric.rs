@@ -28,8 +28,8 @@ pub(crate) fn scale(reference: &[f64], judged: &[bool]) -> f64 {
 }
 
 impl Errors {
-    /// Of a picture with as many pixels as the reference, both multiplied by `scale` first. Without
-    /// a judged pixel, no numbers.
+    /// The errors of a picture with as many pixels as the reference, both multiplied by `scale`
+    /// first. Without a judged pixel, the means are NaN.
     pub(crate) fn of(picture: &[f32], reference: &[f64], judged: &[bool], scale: f64) -> Self {
         let mut errors = Self { rmse: 0.0, rel_mse: 0.0, smape: 0.0, energy: 0.0, worst: 0.0 };
         let (mut count, mut whole) = (0.0, 0.0);

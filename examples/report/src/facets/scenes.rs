@@ -33,8 +33,8 @@ pub(crate) const BEAD_TEXELS: f64 = 1.0;
 const BENT_ALPHA: f64 = 0.1;
 const BENT_FACETS: f64 = 1e4;
 
-/// The same of the ball: little roughness, and the map does the rest; as many facets as a surface
-/// far away has.
+/// Roughness and facets in a pixel of the ball: its normal map widens a narrow lobe, and a pixel
+/// has as many facets as one of a surface far away.
 const BALL_ALPHA: f64 = 0.12;
 const BALL_FACETS: f64 = 1e5;
 

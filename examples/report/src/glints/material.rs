@@ -3,8 +3,8 @@
 use lobe::material::glint::Biscale;
 use lobe::{Error, Real};
 
-/// Details of the same roughness from afar along both axes; grooves, along v, where a detail has
-/// all of it there.
+/// Details whose roughness from afar is equal along both axes. Where one detail has all the
+/// roughness along v, the details are grooves along v.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Material {
     pub(crate) name: &'static str,

@@ -1,8 +1,8 @@
 //! The truth: details as points at random places, each a Gaussian lobe, averaged over the pixel's
 //! rectangle.
 //!
-//! Its mean is the smooth lobe exactly, and its variance has a closed form.
-//! [`Points`](super::points::Points) is the same detail by detail.
+//! The mean of the pixels is the smooth lobe exactly, and their variance has a closed form.
+//! [`Points`](super::points::Points) sums the details of a pixel one by one.
 
 use std::f64::consts::PI;
 
@@ -63,9 +63,9 @@ impl Truth {
 
     /// Relative variance of a pixel.
     ///
-    /// Of n details in the mean, $E[P_l^2]/(n P_g^2)$: near the pole $1/(2 n P)$, half of what
-    /// details would have that reflect all or nothing. Of grooves the mean square of what a pixel
-    /// has of each takes the place of 1/n.
+    /// A pixel of n details in the mean has $E[P_l^2]/(n P_g^2)$: near the pole $1/(2 n P)$, half
+    /// the variance of details that reflect all or nothing. For grooves, the expected sum of the
+    /// squared shares of the pixel that its grooves fill takes the place of 1/n.
     pub(super) fn variance(&self, slope: [f64; 2], pixel: &Pixel) -> f64 {
         let across = self.axes[0].excess(slope[0]);
         if self.material.is_groove() {

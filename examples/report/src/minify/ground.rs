@@ -83,14 +83,14 @@ impl<'a> Ground<'a> {
         self.texels.moments.anisotropic(spot.uv, steps.du, steps.dv, PROBES.into())
     }
 
-    /// Of the half vector's motion, the plane being flat: nothing of the map is in it.
+    /// The kernel of the half vector's motion over the flat plane; the normal map does not enter.
     #[inline]
     pub(super) fn kernel(&self, spot: &Spot<f32>, steps: &Steps<f32>) -> Kernel<f32> {
         Kernel::of(&self.view.footprint(spot, steps), PixelFilter::BOX)
     }
 
-    /// Of its motion in the frame of the mean slope, by differences to the next pixels, as in a
-    /// shader.
+    /// The kernel of the half vector's motion in the frame of the mean slope, by differences to the
+    /// next pixels, as in a shader.
     #[inline]
     pub(super) fn shading_kernel(
         &self,

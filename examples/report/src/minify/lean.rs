@@ -18,8 +18,8 @@ impl Technique for Lean {
     }
 }
 
-/// The same from the textures that Olano & Baker have: raw moments, interpolated as any numbers
-/// are.
+/// The mean slope and the covariance from the textures of Olano & Baker (2010): raw moments, each
+/// interpolated as a number of its own.
 pub(super) struct LeanRaw;
 
 impl Technique for LeanRaw {

@@ -49,8 +49,8 @@ fn on_a_constant_map_every_method_is_the_reference() {
     for distribution in Distribution::ALL {
         for (elevation, ratio) in [(90.0, 1.0), (45.0, 8.0), (15.0, 2.0)] {
             let (measured, noise) = errors(&texels, elevation, ratio, 0.3, distribution);
-            // The same lobe at the pixel's center; what is left is its curvature over the pixel,
-            // the kernel's business.
+            // On a constant map, point sampling evaluates the reference's lobe at the pixel's
+            // center. Its error is the lobe's curvature over the pixel, which a kernel integrates.
             let center = of(&measured, name::POINT).rmse;
             assert!(noise < 1e-3 && center < 0.02, "{elevation} {noise} {center}");
             for (method, errors) in &measured {

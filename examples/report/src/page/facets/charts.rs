@@ -22,8 +22,8 @@ fn plots(figures: &[String]) -> String {
 /// Error over run time.
 pub(super) fn contest(trial: &Trial) -> String {
     let point = |entry: &Entry| [1e-3 * entry.time, entry.errors.rmse];
-    // Of filters without a map's correlation, and with it of slopes, there is the table: they would
-    // hide the others.
+    // The chart leaves out filters without a map's correlation and filters with the correlation of
+    // slopes: their points would hide the others, and the table lists them.
     let hides = |name: &str| {
         name.starts_with("without") || (name.starts_with("with ") && name.ends_with("slope"))
     };
