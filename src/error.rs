@@ -154,8 +154,14 @@ errors! {
     others: {
         /// The matrix of the entries xx, xy and yy has a negative eigenvalue.
         MatrixNotPositive([Value; 3]),
-        /// The root of a determinant is not that of the matrix with the entries xx, xy and yy.
-        RootDet { root_det: Value, entries: [Value; 3] },
+        /// These numbers, l_xx, l_yx and l_yy, are no Cholesky factor in range.
+        Factor([Value; 3]),
+        /// A matrix in a file has both entries and a Cholesky factor, or neither.
+        MatrixGiven,
+        /// A kernel in a file has both a covariance and columns, or neither.
+        KernelGiven,
+        /// A kernel's column has a component that is not in [-1e9, 1e9].
+        Column([Value; 2]),
         /// A material's data are of another distribution than the one of this name.
         Distribution { expected: &'static str },
         /// Slices that belong together differ in length.
@@ -226,11 +232,16 @@ impl fmt::Display for Error {
             Self::MatrixNotPositive([xx, xy, yy]) => {
                 write!(f, "matrix [[{xx}, {xy}], [{xy}, {yy}]] is not positive semi-definite")
             }
-            Self::RootDet { root_det, entries: [xx, xy, yy] } => write!(
-                f,
-                "root_det = {root_det} is not the root of the determinant of [[{xx}, {xy}], \
-                 [{xy}, {yy}]]"
-            ),
+            Self::MatrixGiven => {
+                write!(f, "a matrix takes one of the fields `entries` and `cholesky`")
+            }
+            Self::KernelGiven => {
+                write!(f, "a kernel takes one of the fields `covariance` and `columns`")
+            }
+            Self::Column([x, y]) => write!(f, "column ({x}, {y}) is not in [-1e9, 1e9]"),
+            Self::Factor([l_xx, l_yx, l_yy]) => {
+                write!(f, "[[{l_xx}, 0], [{l_yx}, {l_yy}]] is not a Cholesky factor in range")
+            }
             Self::Distribution { expected } => write!(f, "distribution is not {expected}"),
             Self::Length { expected, found } => {
                 write!(f, "slices differ in length: {found} is not {expected}")

@@ -2,17 +2,25 @@
 //!
 //! Layer 6.
 
+use crate::error::Error;
 use crate::filter::{DiskKernel, Kernel, PixelFilter, SphericalGaussian};
 use crate::scalar::Psd;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
 data!("Kernel", Kernel<R> {
-    covariance: Psd<R> = kernel.covariance(),
-} |kernel| => Ok(Self::from_covariance(covariance)));
+    #[serde(skip_serializing_if = "Option::is_none")]
+    covariance: Option<Psd<R>> = None,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    columns: Option<[[R; 2]; 2]> = Some(kernel.columns()),
+} |kernel| => match (covariance, columns) {
+    (None, Some([u, v])) => Self::from_columns(u, v),
+    (Some(covariance), None) => Ok(Self::from_covariance(covariance)),
+    _ => Err(Error::KernelGiven),
+});
 
 data!("DiskKernel", DiskKernel<R> {
-    covariance: Psd<R> = kernel.covariance(),
-} |kernel| => Ok(Self::from_covariance(covariance)));
+    as_slopes: Kernel<R> = kernel.as_slopes(),
+} |kernel| => Ok(Self::from_kernel(as_slopes)));
 
 data!("SphericalGaussian", SphericalGaussian<R> {
     direction: [R; 3] = light.direction(),

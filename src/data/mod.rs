@@ -11,7 +11,7 @@
 /// type is made of.
 macro_rules! data {
     ($name:literal, $type:ty $(, $extra:ident)? {
-        $($field:ident: $of:ty = $read:expr),* $(,)?
+        $($(#[$attribute:meta])* $field:ident: $of:ty = $read:expr),* $(,)?
     } |$value:ident| => $make:expr) => {
         const _: () = {
             use crate::scalar::Real;
@@ -22,7 +22,7 @@ macro_rules! data {
             #[serde(bound(serialize = "R: Real + Serialize"))]
             #[serde(bound(deserialize = "R: Real + Deserialize<'de>"))]
             struct Data<R> {
-                $($field: $of,)*
+                $($(#[$attribute])* $field: $of,)*
             }
 
             impl<$($extra: crate::ndf::Distribution,)? R: Real + Serialize> Serialize for $type {

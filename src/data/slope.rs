@@ -2,40 +2,25 @@
 //!
 //! Layer 6.
 
-use crate::error::{Error, Value};
-use crate::scalar::exact::difference_of_products;
+use crate::error::Error;
 use crate::scalar::{Psd, Real};
 use crate::slope::{AxisAligned, Isotropic, Lobe, Roughness, SlopeMoments};
 
 data!("Psd", Psd<R> {
-    entries: [R; 3] = psd.entries(),
-    root_det: Option<R> = Some(psd.root_det()),
-} |psd| => checked(entries, root_det));
+    #[serde(skip_serializing_if = "Option::is_none")]
+    entries: Option<[R; 3]> = None,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cholesky: Option<[R; 3]> = Some(psd.cholesky()),
+} |psd| => checked(entries, cholesky));
 
-/// The matrix; its determinant, where it is known better than by the entries, is theirs up to their
-/// rounding.
+/// The matrix of its factor, as it is written, or of its entries, as people write them.
 ///
-/// Sums and products may leave the range of [`Psd::new`], so any finite entries pass.
-fn checked<R: Real>(entries: [R; 3], root_det: Option<R>) -> Result<Psd<R>, Error> {
-    let [xx, xy, yy] = entries;
-    let Some(root_det) = root_det else { return Psd::new(xx, xy, yy) };
-    if let Some(&entry) = entries.iter().find(|entry| !entry.is_finite()) {
-        return Err(Error::MatrixEntry(entry.into()));
-    }
-    // In units of the larger diagonal entry, so that no product leaves the range of the precision.
-    let scale = xx.max(yy);
-    let [a, b, c, root] = [xx, xy, yy, root_det].map(|x| (x / scale.max(R::MIN_POSITIVE)).kept());
-    let det = difference_of_products(a, c, b, b);
-    let rounding = R::lit(64.0) * R::EPSILON * (a * c + b * b);
-    if !(xx >= R::ZERO && yy >= R::ZERO && det >= -rounding) {
-        return Err(Error::MatrixNotPositive(entries.map(Value::from)));
-    }
-    // A quotient below the smallest normal number has no digits.
-    if root >= R::ZERO && (root * root - det).abs() <= rounding + R::MIN_POSITIVE {
-        Ok(Psd::with_root_det(entries, root_det))
-    } else {
-        let entries = entries.map(Value::from);
-        Err(Error::RootDet { root_det: root_det.into(), entries })
+/// Sums and products may leave the range of [`Psd::from_cholesky`], so any finite factor passes.
+fn checked<R: Real>(entries: Option<[R; 3]>, factor: Option<[R; 3]>) -> Result<Psd<R>, Error> {
+    match (entries, factor) {
+        (None, Some(factor)) => Psd::of_factor(factor),
+        (Some([xx, xy, yy]), None) => Psd::new(xx, xy, yy),
+        _ => Err(Error::MatrixGiven),
     }
 }
 

@@ -5,7 +5,8 @@
 
 use super::kernel::PixelFilter;
 use crate::error::{Error, Value};
-use crate::scalar::{Psd, Real};
+use crate::scalar::Real;
+use crate::scalar::eigen::largest_eigenvalue;
 use crate::slope::Footprint;
 use crate::slope::direction::dot;
 
@@ -107,11 +108,11 @@ pub fn largest_deferred_alpha<R: Real>(
     limit: R,
 ) -> Result<R, Error> {
     let (u, v) = (dn_u.into(), dn_v.into());
-    let gram = Psd::from_entries(norm_squared(u), dot(u, v), norm_squared(v));
+    let (uu, vv) = (norm_squared(u), norm_squared(v));
     // Derivatives without a square in this precision have no eigenvalues: the trace is then
     // infinite, too.
-    let trace = gram.trace();
-    let largest = if trace.is_finite() { gram.eigen().major } else { trace };
+    let trace = uu + vv;
+    let largest = if trace.is_finite() { largest_eigenvalue(uu, dot(u, v), vv) } else { trace };
     widened(alpha, R::TWO * variance::<R>(filter) * largest, limit)
 }
 

@@ -4,8 +4,8 @@
 
 use super::kernel::Kernel;
 use crate::ndf::Ggx;
-use crate::scalar::Real;
-use crate::slope::{Anisotropic, Lobe, LobeShape, Roughness};
+use crate::scalar::{Psd, Real};
+use crate::slope::{Lobe, LobeShape, Roughness, Widened};
 
 impl<R: Real> Roughness<R> {
     /// The roughness under a Gaussian kernel, $A' = A + 2\Sigma_K$.
@@ -29,7 +29,30 @@ impl<R: Real> Roughness<R> {
     #[must_use]
     #[inline]
     pub fn widened(&self, kernel: &Kernel<R>) -> Self {
-        *self + Self::from_covariance(kernel.covariance())
+        let [u, v] = kernel.added();
+        Self::from_matrix(self.matrix().with_columns(u, v))
+    }
+}
+
+impl<R: Real> Kernel<R> {
+    /// A shape under this kernel, $A' = A + 2\Sigma_K$: [`Roughness::widened`] without a matrix.
+    ///
+    /// For lobes that are widened for one evaluation or a few. Total and without a branch. An
+    /// isotropic shape costs least, and a shape with a mean keeps it.
+    ///
+    /// ```
+    /// use lobe::{Footprint, Ggx, Isotropic, Kernel, PixelFilter};
+    /// let footprint = Footprint::from_slopes([0.1_f32, 0.0], [0.02, 0.05]);
+    /// let shape = Isotropic::saturating(0.1);
+    /// let filtered = Ggx::new(Kernel::of(&footprint, PixelFilter::BOX).widen(shape));
+    /// assert!(filtered.slope_pdf([0.0, 0.0]) < Ggx::new(shape).slope_pdf([0.0, 0.0]));
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    #[doc(alias = "lobe_kernel_widen")]
+    #[inline(always)]
+    pub fn widen<S: LobeShape<Scalar = R>>(&self, shape: S) -> Widened<S> {
+        let [u, v] = self.added();
+        Widened::new(shape, u, v)
     }
 }
 
@@ -84,28 +107,15 @@ pub fn ggx_gaussian_mean<R: Real>(
     kernel: &Kernel<R>,
 ) -> R {
     let base = lobe.roughness().matrix();
-    let added = kernel.covariance() * R::TWO;
+    let [u, v] = kernel.added();
+    let added = Psd::outer_sum(u, v);
     if (base + added).is_singular() {
         return R::ZERO;
     }
     // d^T adj(M) d = base_form / t + added_form; det M = base_det / t^2 + mixed / t + added_det.
-    let slope = slope.into();
-    let (d, d_low) = lobe.shape().offset(slope);
-    let m = [d[0], d[1], R::ZERO];
-    let low = [d_low[0], d_low[1], R::ZERO];
-    let adjugate_form = |matrix: &crate::scalar::Psd<R>| {
-        let anisotropic = Anisotropic::new(Roughness::from_matrix(*matrix));
-        if matrix.is_singular() {
-            // Of rank one, M = w w^T: the square of the cross product with w.
-            let [xx, xy, yy] = matrix.entries();
-            let u = if xx >= yy { xx * d[1] - xy * d[0] } else { xy * d[1] - yy * d[0] };
-            let scale = xx.max(yy);
-            if scale > R::ZERO { u * (u / scale) } else { R::ZERO }
-        } else {
-            anisotropic.root_det() * anisotropic.form(m, low)
-        }
-    };
-    let (base_form, added_form) = (adjugate_form(&base), adjugate_form(&added));
+    let (slope, mean) = (slope.into(), lobe.mean());
+    let d = [slope[0] - mean[0], slope[1] - mean[1]];
+    let (base_form, added_form) = (base.adjugate_form(d), added.adjugate_form(d));
     let (base_det, mixed, added_det) = (base.det(), base.mixed_det(&added), added.det());
 
     // The integrand t e^{-t - E(t)} / sqrt(det M) falls at least like t below the smaller of 1 and

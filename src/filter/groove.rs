@@ -7,7 +7,7 @@
 
 use crate::scalar::exact::{cross, two_sum};
 use crate::scalar::{Internal, Real};
-use crate::slope::{Footprint, LobeShape};
+use crate::slope::{Footprint, Whiten};
 
 /// Length of a footprint in units of the lobe beyond which the lobe counts as a mirror or as a
 /// groove: one over the squared unit of rounding, $2^{48}$ in f32 and $2^{106}$ in f64.
@@ -35,7 +35,7 @@ pub(in crate::filter) struct Covered<R> {
 /// The lobe as a mirror or a groove, none if the footprint resolves the lobe; `offset` is the
 /// footprint's center less the lobe's mean as an unevaluated sum.
 #[inline(always)]
-pub(in crate::filter) fn unresolved<S: LobeShape>(
+pub(in crate::filter) fn unresolved<S: Whiten>(
     shape: &S,
     longer_side_squared: S::Scalar,
     offset: ([S::Scalar; 2], [S::Scalar; 2]),
@@ -54,7 +54,7 @@ pub(in crate::filter) fn unresolved<S: LobeShape>(
 /// regular lobe is a mirror only if the footprint's thickness exceeds the limit, too, and a groove
 /// only if it is $2^{24}$ times as long as wide and the footprint reaches across it by the limit.
 #[inline(never)]
-fn narrow<S: LobeShape>(
+fn narrow<S: Whiten>(
     shape: &S,
     longer_side_squared: S::Scalar,
     offset: ([S::Scalar; 2], [S::Scalar; 2]),
@@ -100,7 +100,7 @@ pub(in crate::filter) const LARGEST_GAIN: f64 = 1e30;
 /// What a footprint with this `mean` covers of a lobe whose density at the footprint's center is no
 /// normal number: of a brushed lobe its groove, of any other one the mean slope.
 #[inline(never)]
-pub(in crate::filter) fn seen<S: LobeShape>(
+pub(in crate::filter) fn seen<S: Whiten>(
     shape: &S,
     offset: ([S::Scalar; 2], [S::Scalar; 2]),
     footprint: &Footprint<S::Scalar>,
@@ -118,7 +118,7 @@ pub(in crate::filter) fn seen<S: LobeShape>(
 /// What a footprint covers of the lobe as a mirror, or, if the footprint resolves its major axis,
 /// as a groove.
 #[inline(never)]
-pub(in crate::filter) fn covered<S: LobeShape>(
+pub(in crate::filter) fn covered<S: Whiten>(
     shape: &S,
     offset: ([S::Scalar; 2], [S::Scalar; 2]),
     footprint: &Footprint<S::Scalar>,

@@ -82,45 +82,81 @@ impl PixelFilter {
 /// let [xx, xy, yy] = Kernel::of(&footprint, PixelFilter::KAPLANYAN).covariance().entries();
 /// assert!((xx - 0.005).abs() < 1e-15 && xy == 0.0 && yy == 0.0);
 /// ```
-// Further methods: filter/projected.rs.
+// Further methods: filter/disk.rs, filter/gaussian.rs, filter/proxy.rs.
 #[doc(alias = "Sigma_K")]
 #[doc(alias = "LobeKernel")]
 #[doc(alias = "lobe_kernel_add")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Kernel<R> {
-    covariance: Psd<R>,
+    /// Columns with $\Sigma_K = u u^T + v v^T$.
+    u: [R; 2],
+    v: [R; 2],
 }
 
 impl<R: Real> Kernel<R> {
     /// The Gaussian kernel of a footprint under a pixel filter.
     ///
-    /// Footprints of grazing half vectors have no bound: one with a component beyond $10^9$ is
-    /// shrunk in proportion, as squares would overflow f32.
+    /// Total and without a branch, for loops over pixels. Footprints of grazing half vectors have
+    /// no bound: deviations beyond $10^9$ count as that, as squares would overflow f32, and so do
+    /// those without a number.
     #[doc(alias = "lobe_kernel_of")]
-    #[inline]
+    #[inline(always)]
     pub fn of(footprint: &Footprint<R>, filter: PixelFilter) -> Self {
-        // Infinite components count as the largest, and so do those without a number.
-        let finite = |x: R| x.max(-R::MAX).min(R::MAX);
-        let footprint = Footprint { u: footprint.u.map(finite), v: footprint.v.map(finite) };
-        let limit = R::LARGEST / R::lit(filter.variance.max(1.0)).sqrt();
-        // 1 for all but those footprints, without a branch.
-        let factor = limit / footprint.largest_component().max(limit);
-        let [u, v] = [footprint.u, footprint.v].map(|side| side.map(|x| x * factor));
-        let covariance = Psd::outer_sum(u, v);
-        Self { covariance: covariance * R::lit(filter.variance) }
+        Self { u: footprint.u, v: footprint.v }.scaled(R::lit(filter.variance).sqrt())
+    }
+
+    /// The columns times a factor that is not negative, brought into $[-10^9, 10^9]$.
+    #[inline(always)]
+    fn scaled(&self, factor: R) -> Self {
+        let scaled = |x: R| (x * factor).max(-R::LARGEST).min(R::LARGEST);
+        Self { u: self.u.map(scaled), v: self.v.map(scaled) }
     }
 
     /// A kernel of this covariance: an area light, a depth of field, a normal map's spread.
     #[doc(alias = "lobe_kernel_from_covariance")]
     #[inline]
     pub const fn from_covariance(covariance: Psd<R>) -> Self {
-        Self { covariance }
+        let [u, v] = covariance.columns();
+        Self { u, v }
+    }
+
+    /// A kernel with $\Sigma_K = u u^T + v v^T$.
+    ///
+    /// # Errors
+    /// [`Error::Column`] unless all components lie in $[-10^9, 10^9]$.
+    ///
+    /// ```
+    /// use lobe::Kernel;
+    /// let kernel = Kernel::from_columns([0.3_f64, 0.0], [0.1, 0.2])?;
+    /// assert_eq!(kernel.columns(), [[0.3, 0.0], [0.1, 0.2]]);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    pub fn from_columns(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Result<Self, Error> {
+        let (u, v) = (u.into(), v.into());
+        let beyond = [u, v].into_iter().find(|column| !column.iter().all(|x| x.is_slope()));
+        beyond.map_or(Ok(Self { u, v }), |column| Err(Error::Column(column.map(Value::from))))
     }
 
     /// The covariance $\Sigma_K$.
+    #[doc(alias = "lobe_kernel_covariance")]
     #[inline]
-    pub const fn covariance(&self) -> Psd<R> {
-        self.covariance
+    pub fn covariance(&self) -> Psd<R> {
+        Psd::outer_sum(self.u, self.v)
+    }
+
+    /// Two columns whose outer products sum to the covariance: the footprint's sides times the
+    /// filter's deviation, or the factor of [`Kernel::from_covariance`].
+    #[inline(always)]
+    pub const fn columns(&self) -> [[R; 2]; 2] {
+        [self.u, self.v]
+    }
+
+    /// Two columns of $2 \Sigma_K$, what the kernel adds to a roughness matrix.
+    #[doc(alias = "lobe_kernel_added")]
+    #[inline(always)]
+    pub(super) fn added(&self) -> [[R; 2]; 2] {
+        let root = R::TWO.sqrt();
+        [self.u.map(|x| x * root), self.v.map(|x| x * root)]
     }
 
     /// The footprint that this kernel is of, under a pixel filter: along the axes of the
@@ -143,7 +179,7 @@ impl<R: Real> Kernel<R> {
     /// ```
     #[doc(alias = "lobe_kernel_footprint")]
     pub fn footprint(&self, filter: PixelFilter) -> Footprint<R> {
-        let Eigen { major, minor, axis: [cos, sin] } = self.covariance.eigen();
+        let Eigen { major, minor, axis: [cos, sin] } = self.covariance().eigen();
         if filter.variance <= 0.0 {
             return Footprint::default();
         }
@@ -170,7 +206,9 @@ impl<R: Real> Kernel<R> {
     #[doc(alias = "lobe_kernel_capped")]
     #[must_use]
     pub fn capped(&self, limit: R) -> Self {
-        Self { covariance: self.covariance.capped(R::HALF * limit) }
+        let covariance = self.covariance();
+        let capped = covariance.capped(R::HALF * limit);
+        if capped == covariance { *self } else { Self::from_covariance(capped) }
     }
 
     /// The limit on added alpha^2 of Kaplanyan's 2016 code and of Tokuyoshi 2017, Eq. 10 and 13.
@@ -199,7 +237,7 @@ impl<R: Real> Add for Kernel<R> {
     /// # Ok::<(), lobe::Error>(())
     /// ```
     fn add(self, other: Self) -> Self {
-        Self { covariance: self.covariance + other.covariance }
+        Self::from_covariance(self.covariance().with_columns(other.u, other.v)).scaled(R::ONE)
     }
 }
 
@@ -215,6 +253,6 @@ impl<R: Real> Mul<R> for Kernel<R> {
     /// The kernel with its covariance times a finite factor; a negative one counts as 0.
     #[inline]
     fn mul(self, factor: R) -> Self {
-        Self { covariance: self.covariance * factor }
+        self.scaled(factor.max(R::ZERO).sqrt())
     }
 }

@@ -4,8 +4,8 @@
 //! Layer 3. The half vector moves as the light's direction does; its spread over the light is one
 //! more covariance.
 
+use super::disk::DiskKernel;
 use super::kernel::{Kernel, PixelFilter};
-use super::projected::DiskKernel;
 use crate::error::{Error, Value};
 use crate::scalar::Real;
 use crate::slope::direction::{dot, normalize};

@@ -12,6 +12,7 @@
 
 mod beckmann;
 mod deferred;
+mod disk;
 #[cfg(feature = "published")]
 pub mod engine;
 mod gaussian;
@@ -31,6 +32,7 @@ pub use deferred::{
     ShadingFrame, kaplanyan_deferred_alpha, kaplanyan_deferred_alphas, largest_deferred_alpha,
     quad_normal_footprint, tokuyoshi_deferred_alpha, tokuyoshi_kaplanyan_deferred_alpha,
 };
+pub use disk::DiskKernel;
 pub use gaussian::ggx_gaussian_mean;
 #[cfg(feature = "published")]
 pub use kaplanyan::{
@@ -43,5 +45,5 @@ pub use length::{
     vmf_sharpness,
 };
 pub use light::SphericalGaussian;
-pub use projected::{DiskKernel, projected_alpha};
+pub use projected::projected_alpha;
 pub use proxy::{box_peak_alpha, gaussian_peak_alpha};

@@ -5,148 +5,10 @@
 //! h_y)$ it is a GGX of roughness $A_\perp$. Kernels of half vectors have a bound there, and
 //! widened roughness stays below 1 by itself.
 
-use super::kernel::{Kernel, PixelFilter};
+use super::disk::DiskKernel;
 use crate::error::Error;
 use crate::scalar::{Eigen, Psd, Real};
-use crate::slope::{Footprint, Roughness};
-use core::ops::{Add, AddAssign, Mul};
-
-/// A Gaussian kernel on the projected disk: a covariance of $(h_x, h_y)$ of the unit half vector.
-///
-/// Not a [`Kernel`], which lives in slope space: the two differ by the Jacobian of
-/// [`Footprint::from_disk`](crate::Footprint::from_disk), up to $1/h_z^3$.
-///
-/// ```
-/// use lobe::{PixelFilter, Roughness, filter::DiskKernel};
-/// let kernel = DiskKernel::of([0.1_f64, 0.0], [0.05, 0.1], PixelFilter::TOKUYOSHI_KAPLANYAN);
-/// let widened = Roughness::from_alpha(0.9)?.widened_on_disk(&kernel);
-/// assert!(widened.alphas().major > 0.9 && widened.alphas().major < 1.0);
-/// # Ok::<(), lobe::Error>(())
-/// ```
-#[doc(alias = "LobeDiskKernel")]
-#[doc(alias = "lobe_disk_kernel_add")]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct DiskKernel<R> {
-    /// The same numbers, as a kernel that does not know its space.
-    as_slopes: Kernel<R>,
-}
-
-impl<R: Real> DiskKernel<R> {
-    /// The kernel of two derivative vectors of $(h_x, h_y)$, one per pixel axis, under a pixel
-    /// filter.
-    ///
-    /// Source: Tokuyoshi & Kaplanyan 2021, Eq. 3, there with [`PixelFilter::TOKUYOSHI_KAPLANYAN`].
-    #[doc(alias = "lobe_disk_kernel_of")]
-    #[inline]
-    pub fn of(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>, filter: PixelFilter) -> Self {
-        Self { as_slopes: Kernel::of(&Footprint::from_slopes(u, v), filter) }
-    }
-
-    /// The kernel of the bounding rectangle along the frame's axes: with a lobe along the axes it
-    /// stays there.
-    ///
-    /// ```
-    /// use lobe::{PixelFilter, Roughness, filter::DiskKernel};
-    /// let kernel = DiskKernel::of_bounding([0.1_f64, 0.1], [0.0, 0.1], PixelFilter::BOX);
-    /// let widened = Roughness::from_alphas(0.2, 0.1, 0.0)?.widened_on_disk(&kernel);
-    /// assert_eq!(widened.matrix().entries()[1], 0.0);
-    /// # Ok::<(), lobe::Error>(())
-    /// ```
-    #[doc(alias = "lobe_disk_kernel_of_bounding")]
-    #[inline]
-    pub fn of_bounding(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>, filter: PixelFilter) -> Self {
-        Self { as_slopes: Kernel::of(&Footprint::from_slopes(u, v).bounding(), filter) }
-    }
-
-    /// A kernel of this covariance.
-    #[doc(alias = "lobe_disk_kernel_from_covariance")]
-    #[inline]
-    pub fn from_covariance(covariance: Psd<R>) -> Self {
-        Self { as_slopes: Kernel::from_covariance(covariance) }
-    }
-
-    /// The covariance.
-    #[inline]
-    pub fn covariance(&self) -> Psd<R> {
-        self.as_slopes.covariance()
-    }
-
-    /// The kernel with the alpha^2 that it adds limited to `limit` along each axis, as
-    /// [`Kernel::capped`].
-    #[doc(alias = "lobe_disk_kernel_capped")]
-    #[must_use]
-    pub fn capped(&self, limit: R) -> Self {
-        Self { as_slopes: self.as_slopes.capped(limit) }
-    }
-
-    /// The kernel used in slope space as it is: Tokuyoshi's deliberate narrowing, and the practical
-    /// approximation of the 2021 paper.
-    ///
-    /// Not a change of variables: right at $h = n$, narrower by up to $h_z^3$ elsewhere, where quad
-    /// differences are noise. [`Roughness::widened`] and [`Kernel::capped`] do the rest.
-    ///
-    /// Source: Tokuyoshi 2017, Eq. 7; Tokuyoshi & Kaplanyan 2021, Eq. 9 and Listing 2.
-    ///
-    /// ```
-    /// use lobe::{Kernel, PixelFilter, filter::DiskKernel};
-    /// let (u, v) = ([0.1_f32, 0.0], [0.0, 0.2]);
-    /// let narrowed = DiskKernel::of(u, v, PixelFilter::KAPLANYAN).as_slopes();
-    /// assert_eq!(narrowed, Kernel::tokuyoshi_forward(u, v));
-    /// ```
-    #[inline]
-    pub const fn as_slopes(&self) -> Kernel<R> {
-        self.as_slopes
-    }
-}
-
-impl<R: Real> Add for DiskKernel<R> {
-    type Output = Self;
-
-    /// Two kernels one after the other: covariances add.
-    fn add(self, other: Self) -> Self {
-        Self { as_slopes: self.as_slopes + other.as_slopes }
-    }
-}
-
-impl<R: Real> AddAssign for DiskKernel<R> {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl<R: Real> Mul<R> for DiskKernel<R> {
-    type Output = Self;
-
-    /// The kernel with its covariance times a finite factor; a negative one counts as 0.
-    #[inline]
-    fn mul(self, factor: R) -> Self {
-        Self { as_slopes: self.as_slopes * factor }
-    }
-}
-
-impl<R: Real> Kernel<R> {
-    /// Tokuyoshi's kernel for forward shading, from derivatives of $(h_x, h_y)$ of the unit half
-    /// vector used in slope space as they are, under [`PixelFilter::KAPLANYAN`].
-    ///
-    /// A deliberate narrowing at grazing half vectors, where quad differences are noise
-    /// ([`Footprint::from_disk_narrowed`]).
-    ///
-    /// Source: Tokuyoshi 2017, Eq. 2, 3 and 7, Listing 1.
-    ///
-    /// ```
-    /// use lobe::{Kernel, Roughness};
-    /// let kernel = Kernel::tokuyoshi_forward([0.1_f64, 0.0], [0.0, 0.2]);
-    /// let widened = Roughness::from_alpha(0.1)?.widened(&kernel);
-    /// // alpha^2 + 2 * 0.25 * derivative^2, per axis.
-    /// assert!((widened.alphas().major.powi(2) - (0.01 + 0.02)).abs() < 1e-15);
-    /// # Ok::<(), lobe::Error>(())
-    /// ```
-    #[doc(alias = "lobe_kernel_tokuyoshi_forward")]
-    #[inline]
-    pub fn tokuyoshi_forward(u: impl Into<[R; 2]>, v: impl Into<[R; 2]>) -> Self {
-        DiskKernel::of(u, v, PixelFilter::KAPLANYAN).as_slopes()
-    }
-}
+use crate::slope::{Isotropic, Roughness, Widened};
 
 impl<R: Real> Roughness<R> {
     /// The roughness of a centered GGX under a Gaussian kernel on the projected disk.
@@ -180,25 +42,60 @@ impl<R: Real> Roughness<R> {
     #[must_use]
     #[inline]
     pub fn widened_on_disk(&self, kernel: &DiskKernel<R>) -> Self {
-        let added = bounded(kernel.covariance() * R::TWO);
+        let [u, v] = kernel.as_slopes().added();
         let matrix = self.matrix();
         // det (I - A), as the product of 1 - a; both factors may be negative.
         let complement = R::ONE - matrix.trace() + matrix.det();
         let smooth = matrix.trace() < R::TWO;
         if smooth && complement >= R::lit(0.125) {
-            return Self::from_matrix(filtered(&matrix, &added, complement));
+            return Self::from_matrix(filtered(&matrix, [u, v], complement));
         }
         let eigen = matrix.eigen();
         let Eigen { major, minor, axis: [cos, sin] } = eigen;
         if major < R::ONE {
-            return Self::from_matrix(from_disk(&(to_disk(eigen) + added)));
+            let [u, v] = bounded([u, v]);
+            return Self::from_matrix(from_disk(&to_disk(eigen).with_columns(u, v)));
         }
         if !(minor < R::ONE) {
             return *self;
         }
         // The limit of the formula as the major axis goes to 1: only the minor one sees the kernel.
-        let across = filtered_square(minor, added.quadratic([-sin, cos]));
+        let [along_u, along_v] = [u, v].map(|[x, y]| cos * y - sin * x);
+        let across = filtered_square(minor, along_u * along_u + along_v * along_v);
         Self::from_matrix(Psd::from_axes(major.sqrt(), across.sqrt(), cos, sin))
+    }
+}
+
+impl<R: Real> DiskKernel<R> {
+    /// An isotropic GGX under this kernel: [`Roughness::widened_on_disk`] without a matrix.
+    ///
+    /// With $a = \alpha^2$ and $b = 1 - a$: $A' = \frac{(a + a b\,\mathrm{tr} K + b^2 \det K) I +
+    /// b^2 K}{1 + b\,\mathrm{tr} K + b^2 \det K}$; an alpha of at least 1 stays. Total and without
+    /// a branch, for loops over pixels.
+    ///
+    /// ```
+    /// use lobe::{Isotropic, LobeShape, PixelFilter, Roughness, filter::DiskKernel};
+    /// let kernel = DiskKernel::of([0.2_f64, 0.0], [0.1, 0.2], PixelFilter::BOX);
+    /// let shape = kernel.widen(Isotropic::saturating(0.3));
+    /// let matrix = Roughness::from_alpha(0.3)?.widened_on_disk(&kernel).matrix();
+    /// assert!((shape.root_det() - matrix.root_det()).abs() < 1e-15);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    #[doc(alias = "lobe_disk_kernel_widen")]
+    #[inline(always)]
+    pub fn widen(&self, shape: Isotropic<R>) -> Widened<Isotropic<R>> {
+        let [u, v] = self.as_slopes().added();
+        let alpha = shape.alpha();
+        let square = alpha * alpha;
+        let rest = (R::ONE - square).max(R::ZERO);
+        let trace = u[0] * u[0] + u[1] * u[1] + (v[0] * v[0] + v[1] * v[1]);
+        let cross = rest * (u[0] * v[1] - u[1] * v[0]);
+        let det = cross * cross;
+        let root = (R::ONE / (R::ONE + rest * trace + det)).sqrt();
+        let alpha = (square + square * rest * trace + det).sqrt() * root;
+        let scale = rest * root;
+        let [u, v] = [u, v].map(|column| column.map(|x| x * scale));
+        Widened::new(Isotropic::saturating(alpha), u, v)
     }
 }
 
@@ -240,22 +137,23 @@ fn filtered_square<R: Real>(square: R, added: R) -> R {
 }
 
 /// $A' = \frac{A + c K + (m + c \det K) I}{1 + c\,\mathrm{tr} K + m + c \det K}$, $c = \det(I -
-/// A)$, $m = \mathrm{tr}(\mathrm{adj}(A) K) - \det A\,\mathrm{tr} K$: there and back in one, for
-/// eigenvalues below 1.
+/// A)$, $m = \mathrm{tr}(\mathrm{adj}(A) K) - \det A\,\mathrm{tr} K$, of the columns of K: there
+/// and back in one, for eigenvalues below 1.
 ///
 /// All terms are at least 0 and no inverse is taken; only m cancels as an eigenvalue nears 1.
 #[inline(always)]
-fn filtered<R: Real>(matrix: &Psd<R>, added: &Psd<R>, complement: R) -> Psd<R> {
-    let ([xx, xy, yy], [k_xx, k_xy, k_yy]) = (matrix.entries(), added.entries());
-    let spread = (matrix.mixed_det(added) - matrix.det() * added.trace()).max(R::ZERO);
-    let both = spread + complement * added.det();
-    let inverse = R::ONE / (R::ONE + complement * added.trace() + both);
-    let entries = [
-        (xx + complement * k_xx + both) * inverse,
-        (xy + complement * k_xy) * inverse,
-        (yy + complement * k_yy + both) * inverse,
-    ];
-    Psd::with_root_det(entries, ((matrix.det() + both) * inverse).sqrt())
+fn filtered<R: Real>(matrix: &Psd<R>, columns: [[R; 2]; 2], complement: R) -> Psd<R> {
+    let root = complement.sqrt();
+    let [u, v] = columns.map(|column| column.map(|x| x * root));
+    let squares = |[x, y]: [R; 2]| x * x + y * y;
+    let [a, b] = columns;
+    let mixed = matrix.adjugate_form(a) + matrix.adjugate_form(b);
+    let spread = (mixed - matrix.det() * (squares(a) + squares(b))).max(R::ZERO);
+    let cross = root * (a[0] * b[1] - a[1] * b[0]);
+    let both = spread + cross * cross;
+    let inverse = R::ONE / (R::ONE + squares(u) + squares(v) + both);
+    let side = both.sqrt();
+    matrix.with_columns(u, v).with_columns([side, R::ZERO], [R::ZERO, side]) * inverse
 }
 
 /// $A_\perp = (A^{-1} - I)^{-1}$, for eigenvalues below 1: $a/(1 - a)$ along each axis.
@@ -279,8 +177,10 @@ fn from_disk<R: Real>(projected: &Psd<R>) -> Psd<R> {
     Psd::with_root_det(entries, projected.root_det() * inverse.sqrt())
 }
 
-/// The matrix shrunk in proportion to a trace of at most $10^9$, whose square f32 has.
+/// Columns shrunk in proportion to a trace of at most $10^9$, whose square f32 has.
 #[inline(always)]
-fn bounded<R: Real>(matrix: Psd<R>) -> Psd<R> {
-    matrix * (R::LARGEST / matrix.trace().max(R::LARGEST))
+fn bounded<R: Real>([u, v]: [[R; 2]; 2]) -> [[R; 2]; 2] {
+    let trace = u[0] * u[0] + u[1] * u[1] + v[0] * v[0] + v[1] * v[1];
+    let factor = (R::LARGEST / trace.max(R::LARGEST)).sqrt();
+    [u, v].map(|column| column.map(|x| x * factor))
 }

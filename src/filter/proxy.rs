@@ -15,7 +15,7 @@ use crate::error::Error;
 use crate::ndf::Ggx;
 use crate::scalar::expint::reciprocal_e2_tail;
 use crate::scalar::{Psd, Real};
-use crate::slope::{Anisotropic, Footprint, Lobe, LobeShape, Roughness};
+use crate::slope::{Anisotropic, Footprint, Lobe, LobeShape, Roughness, Widened};
 
 /// alpha of the GGX with the peak of GGX averaged over a square: Kaplanyan's Eq. 20, re-derived.
 ///
@@ -113,45 +113,37 @@ impl<R: Real> Whitened<R> {
         let excess = (r - R::ONE).max(R::ZERO).sqrt() * (r + R::ONE).sqrt();
         positive_root(self.root_det, self.trace, excess)
     }
-
-    /// A fit of the factor for which $A + tK$ has the peak of GGX under the Gaussian of $K =
-    /// 2\Sigma_K$.
-    ///
-    /// The first term is the isotropic case, where $\kappa$ is k/alpha^2: largest error of alpha'^2
-    /// 0.04 % over any kappa. The second is what lines need, $4/\pi - 1$ in the limit, and fades as
-    /// the kernel's minor axis grows. Largest error of the peak over kernels of every size and
-    /// aspect: 1.32 %, at 126 by 4 alpha^2 (`the_fit_of_the_peak_errs_as_stated` in
-    /// tests/laws/proxy.rs). Fitted by `tests/golden/fit.py`, `peak_round` and `peak_long`.
-    #[inline(always)]
-    fn fitted_factor(&self) -> R {
-        let kappa = R::HALF * self.trace;
-        let s = kappa.sqrt();
-        let lit = R::lit;
-        let round = (R::ONE + lit(1.5226) * s)
-            / (R::ONE + lit(1.5377) * s + lit(2.508) * kappa + lit(0.22979) * kappa * s);
-        let ratio = (self.root_det / kappa.max(R::MIN_POSITIVE)).kept();
-        let line = (R::ONE - ratio * ratio).max(R::ZERO);
-        let minor = R::HALF * self.root_det * ratio;
-        // Kept: a product of the quotients may be taken as a quotient of products, which leave the
-        // range of f32.
-        let long = (lit(0.2104) * kappa / (R::ONE + lit(0.08939) * s + lit(0.2104) * kappa)).kept();
-        R::ONE + round.kept() + long_term(minor) * line * long
-    }
 }
 
-/// What the factor gains for kernels long against the lobe, by their minor axis in units of the
-/// lobe.
+/// The largest $\kappa$ that the fit is asked for; of a mirror it is this.
+const LARGEST_KAPPA: f64 = 1e18;
+
+/// A fit of the factor for which $A + tK$ has the peak of GGX under the Gaussian of $K =
+/// 2\Sigma_K$, from $\det A$, $\mathrm{tr}(\mathrm{adj}(A)\, K)$ and $\det K$.
+///
+/// The first term is the isotropic case, where $\kappa$ is k/alpha^2: largest error of alpha'^2
+/// 0.04 % over any kappa. The second is what lines need, $4/\pi - 1$ in the limit, and fades as
+/// the kernel's minor axis grows. Largest error of the peak over kernels of every size and
+/// aspect: 1.32 %, at 126 by 4 alpha^2 (`the_fit_of_the_peak_errs_as_stated` in
+/// tests/laws/proxy.rs). Fitted by `tests/golden/fit.py`, `peak_round` and `peak_long`.
+#[doc(alias = "lobe_peak_factor")]
 #[inline(always)]
-fn long_term<R: Real>(minor: R) -> R {
-    let four_over_pi = R::lit(4.0 * core::f64::consts::FRAC_1_PI);
-    (four_over_pi - R::ONE) / (R::ONE + R::lit(0.2109) * minor)
-}
-
-/// The limit of the fitted factor for a lobe that is a mirror along one axis or both.
-fn mirror_factor<R: Real>(lobe: &Psd<R>, kernel: &Psd<R>) -> R {
-    let mixed = lobe.mixed_det(kernel);
-    let minor = kernel.root_det() * (kernel.root_det() / mixed.max(R::MIN_POSITIVE));
-    if mixed > R::ZERO { R::ONE + long_term(minor) } else { R::ONE }
+fn fitted_factor<R: Real>(det: R, mixed: R, kernel_det: R) -> R {
+    let (lit, one, least) = (R::lit, R::ONE, R::MIN_POSITIVE);
+    let regular = det >= least;
+    let kappa = R::HALF * (mixed / det.max(least));
+    let kappa = if regular { kappa.min(lit(LARGEST_KAPPA)) } else { lit(LARGEST_KAPPA) };
+    let s = kappa.sqrt();
+    let round = (one + lit(1.5226) * s)
+        / (one + lit(1.5377) * s + lit(2.508) * kappa + lit(0.22979) * kappa * s);
+    // The kernel's minor axis in units of the lobe, and how far from round it is there.
+    let inverse = one / mixed.max(least);
+    let minor = (kernel_det * inverse).min(R::LARGEST);
+    let line = (one - lit(4.0) * minor * (det * inverse)).max(R::ZERO);
+    let long = lit(0.2104) * kappa
+        / ((one + lit(0.2109) * minor) * (one + lit(0.08939) * s + lit(0.2104) * kappa));
+    let long = if mixed > R::ZERO { line * long } else { R::ZERO };
+    one + round + lit(4.0 * core::f64::consts::FRAC_1_PI - 1.0) * long
 }
 
 /// t with $t^2 d^2 + t m = e^2$ from d, m and e, none negative: without cancellation, and without
@@ -168,6 +160,36 @@ fn positive_root<R: Real>(d: R, m: R, e: R) -> R {
     let (x, y) = ((m / scale).kept(), (twice / scale).kept());
     let sum = m + scale * (x * x + y * y).sqrt();
     R::TWO * e * (e / sum.max(R::MIN_POSITIVE))
+}
+
+impl<R: Real> Kernel<R> {
+    /// The kernel's columns times the root of [`fitted_factor`].
+    #[inline(always)]
+    fn peak_columns<S: LobeShape<Scalar = R>>(&self, shape: &S) -> [[R; 2]; 2] {
+        let [u, v] = self.added();
+        let (root_det, cross) = (shape.root_det(), u[0] * v[1] - u[1] * v[0]);
+        let mixed = shape.adjugate_form(u) + shape.adjugate_form(v);
+        let root = fitted_factor(root_det * root_det, mixed, cross * cross).sqrt();
+        [u.map(|x| x * root), v.map(|x| x * root)]
+    }
+
+    /// A shape under this kernel with the peak of GGX there: [`Roughness::peak_fitted`] without a
+    /// matrix.
+    ///
+    /// ```
+    /// use lobe::{Footprint, Ggx, Isotropic, Kernel, PixelFilter};
+    /// let kernel = Kernel::of(&Footprint::rectangle([0.2_f32, 0.2]), PixelFilter::KAPLANYAN);
+    /// let shape = Isotropic::saturating(0.1);
+    /// let fitted = Ggx::new(kernel.widen_to_peak(shape));
+    /// let added = Ggx::new(kernel.widen(shape));
+    /// assert!(fitted.slope_pdf([0.0, 0.0]) < 0.9 * added.slope_pdf([0.0, 0.0]));
+    /// ```
+    #[doc(alias = "lobe_kernel_widen_to_peak")]
+    #[inline(always)]
+    pub fn widen_to_peak<S: LobeShape<Scalar = R>>(&self, shape: S) -> Widened<S> {
+        let [u, v] = self.peak_columns(&shape);
+        Widened::new(shape, u, v)
+    }
 }
 
 impl<R: Real> Roughness<R> {
@@ -190,7 +212,8 @@ impl<R: Real> Roughness<R> {
     #[must_use]
     pub fn peak_matched(&self, kernel: &Kernel<R>) -> Self {
         let peak = ggx_gaussian_mean(&Lobe::centered(*self), [R::ZERO; 2], kernel);
-        self.with_peak(&(kernel.covariance() * R::TWO), peak, [1.0, 2.0])
+        let [u, v] = kernel.added();
+        self.with_peak(&Psd::outer_sum(u, v), peak, [1.0, 2.0])
     }
 
     /// The same by a fit without transcendental functions: the peak is within 1.32 % for any A and
@@ -214,13 +237,9 @@ impl<R: Real> Roughness<R> {
     #[must_use]
     #[inline]
     pub fn peak_fitted(&self, kernel: &Kernel<R>) -> Self {
-        let added = kernel.covariance() * R::TWO;
-        let whitened = Whitened::of(&self.matrix(), &added);
-        let factor = whitened.map_or_else(
-            || mirror_factor(&self.matrix(), &added),
-            |whitened| whitened.fitted_factor(),
-        );
-        *self + Self::from_matrix(added * factor)
+        let matrix = self.matrix();
+        let [u, v] = kernel.peak_columns(&Anisotropic::new(*self));
+        Self::from_matrix(matrix.with_columns(u, v))
     }
 
     /// The roughness $A + t (u u^T + v v^T)$ with the exact peak of GGX averaged over the

@@ -23,6 +23,6 @@ mod slope;
 #[cfg(feature = "glint")]
 pub use glint::{Biscale, Glints, MultiLobe, Patch};
 pub use slope::{
-    Anisotropic, Footprint, Lobe, Motion, NonCentered, Path, Psd, SlopeMoments, SphericalGaussian,
-    Vertex,
+    Anisotropic, Columns, Footprint, Lobe, Motion, NonCentered, Path, Psd, SlopeMoments,
+    SphericalGaussian, Vertex,
 };

@@ -3,22 +3,26 @@
 //! Layer 6.
 
 use crate::filter::{DiskKernel, Kernel};
+use crate::slope::LobeShape;
 use crate::{filter, scalar, slope};
 use bytemuck::{Pod, Zeroable};
 
-/// A matrix: `LobePsd`, and `LobeRoughness`, `LobeKernel` and `LobeDiskKernel`, which hold one.
+/// A matrix, by its Cholesky factor: `LobePsd`, and `LobeRoughness`, which holds one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Psd {
-    /// The entries xx, xy and yy.
-    pub entries: [f32; 3],
-    /// The root of the determinant.
-    pub root_det: f32,
+    /// The factor's l_xx.
+    pub l_xx: f32,
+    /// The factor's l_yx.
+    pub l_yx: f32,
+    /// The factor's l_yy.
+    pub l_yy: f32,
 }
 
 impl From<scalar::Psd<f32>> for Psd {
     fn from(psd: scalar::Psd<f32>) -> Self {
-        Self { entries: psd.entries(), root_det: psd.root_det() }
+        let [l_xx, l_yx, l_yy] = psd.cholesky();
+        Self { l_xx, l_yx, l_yy }
     }
 }
 
@@ -28,15 +32,26 @@ impl From<slope::Roughness<f32>> for Psd {
     }
 }
 
-impl From<Kernel<f32>> for Psd {
+/// A kernel's columns: `LobeKernel`, and `LobeDiskKernel`, which holds one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Columns {
+    /// The first column of a root of the covariance.
+    pub u: [f32; 2],
+    /// The second column.
+    pub v: [f32; 2],
+}
+
+impl From<Kernel<f32>> for Columns {
     fn from(kernel: Kernel<f32>) -> Self {
-        kernel.covariance().into()
+        let [u, v] = kernel.columns();
+        Self { u, v }
     }
 }
 
-impl From<DiskKernel<f32>> for Psd {
+impl From<DiskKernel<f32>> for Columns {
     fn from(kernel: DiskKernel<f32>) -> Self {
-        kernel.covariance().into()
+        kernel.as_slopes().into()
     }
 }
 
@@ -65,11 +80,12 @@ pub struct SlopeMoments {
     pub mean: [f32; 2],
     /// The covariance.
     pub covariance: Psd,
+    padding: f32,
 }
 
 impl From<slope::SlopeMoments<f32>> for SlopeMoments {
     fn from(moments: slope::SlopeMoments<f32>) -> Self {
-        Self { mean: moments.mean(), covariance: moments.covariance().into() }
+        Self { mean: moments.mean(), covariance: moments.covariance().into(), padding: 0.0 }
     }
 }
 
@@ -81,57 +97,44 @@ pub struct Lobe {
     pub mean: [f32; 2],
     /// The roughness matrix.
     pub roughness: Psd,
+    padding: f32,
 }
 
 impl From<slope::Lobe<f32>> for Lobe {
     fn from(lobe: slope::Lobe<f32>) -> Self {
-        Self { mean: lobe.mean(), roughness: lobe.roughness().into() }
+        Self { mean: lobe.mean(), roughness: lobe.roughness().into(), padding: 0.0 }
     }
 }
 
-/// The shape of a roughness, precomputed: `LobeAnisotropic`.
-///
-/// The fields are what the port computes of the matrix in `lobe_anisotropic_new`.
+/// The shape of a roughness: `LobeAnisotropic`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Anisotropic {
-    /// The entry xx of the matrix.
-    pub xx: f32,
-    /// The entry xy of the matrix.
-    pub xy: f32,
-    /// The root of its determinant.
+    /// The factor of the roughness.
+    pub factor: Psd,
+    /// The root of its determinant; 0 for a mirror along some axis.
     pub root_det: f32,
-    /// One over xx, or 0.
-    pub inverse_xx: f32,
-    /// The root of the determinant over xx.
-    pub along: f32,
-    /// xx over the root of the determinant.
-    pub across: f32,
-    /// The determinant over xx; the entry yy if xx is 0.
-    pub schur: f32,
 }
 
 impl From<slope::Anisotropic<f32>> for Anisotropic {
     fn from(shape: slope::Anisotropic<f32>) -> Self {
-        let [xx, xy, root_det, inverse_xx, along, across, schur] = shape.numbers();
-        Self { xx, xy, root_det, inverse_xx, along, across, schur }
+        Self { factor: shape.roughness().into(), root_det: shape.root_det() }
     }
 }
 
-/// The shape of a lobe, precomputed: `LobeNonCentered`.
+/// The shape of a lobe: `LobeNonCentered`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct NonCentered {
     /// The shape around the mean.
     pub shape: Anisotropic,
-    padding: f32,
     /// The mean slope.
     pub mean: [f32; 2],
 }
 
 impl From<slope::NonCentered<slope::Anisotropic<f32>>> for NonCentered {
     fn from(shape: slope::NonCentered<slope::Anisotropic<f32>>) -> Self {
-        Self { shape: (*shape.shape()).into(), padding: 0.0, mean: shape.mean() }
+        Self { shape: (*shape.shape()).into(), mean: shape.mean() }
     }
 }
 

@@ -5,7 +5,7 @@
 use super::distribution::sealed::Sealed;
 use super::distribution::{Distribution, Ndf};
 use crate::scalar::Real;
-use crate::slope::LobeShape;
+use crate::slope::{Extent, LobeShape};
 
 /// The scalar functions of Beckmann; see [`Beckmann`](crate::Beckmann).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,11 +18,12 @@ impl Sealed for BeckmannDistribution {
 
 impl Distribution for BeckmannDistribution {
     #[inline(always)]
-    fn density<R: Real>(form: R, root_det: R, z: R, length_squared: R, weight: R) -> R {
+    fn density<R: Real>(form: R, extent: Extent<R>, z: R, length_squared: R, weight: R) -> R {
+        let Extent { root_det, unit, .. } = extent;
         let z2 = z * z;
         // Two halves of the exponential: e^-q may be subnormal where e^-q / sqrt(det A) is not. A
         // mirror's exponent has nothing to divide by.
-        let e = (-R::HALF * form / (root_det * z2).max(R::MIN_POSITIVE)).exp();
+        let e = (-R::HALF * form / (unit * z2).max(R::MIN_POSITIVE)).exp();
         let ratio = length_squared / z2;
         let half = e * ratio;
         let density = half * (half / root_det * weight).kept();

@@ -4,8 +4,7 @@
 //! anisotropy) is derived once, here and in masking.rs.
 
 use crate::scalar::Real;
-use crate::scalar::exact::two_sum;
-use crate::slope::{Anisotropic, Lobe, LobeShape, NonCentered};
+use crate::slope::{Anisotropic, Extent, Lobe, LobeShape, NonCentered};
 use core::marker::PhantomData;
 
 pub(super) mod sealed {
@@ -19,7 +18,7 @@ pub(super) mod sealed {
 /// The two scalar functions that make a distribution; sealed.
 pub trait Distribution: sealed::Sealed + Copy {
     /// `weight` times $\pi P_{22}(s)\, \ell^4/z^4$ of a direction of height `z` whose
-    /// [`LobeShape::form`] is `form`, with `length_squared` = $\ell^2$.
+    /// [`LobeShape::form`] is `form` for a lobe of this extent, with `length_squared` = $\ell^2$.
     ///
     /// The density is homogeneous of degree 0 in form (2), z (1) and length, so that a half vector
     /// need not be normalized. The weight is a factor within: a density below the range of f32
@@ -27,7 +26,7 @@ pub trait Distribution: sealed::Sealed + Copy {
     /// callers drop NaN.
     #[doc(alias = "lobe_ggx_density")]
     #[doc(alias = "lobe_beckmann_density")]
-    fn density<R: Real>(form: R, root_det: R, z: R, length_squared: R, weight: R) -> R;
+    fn density<R: Real>(form: R, extent: Extent<R>, z: R, length_squared: R, weight: R) -> R;
 
     /// $\sigma(w) - \max(c, 0)$ for $|c|$ and $a^2$: the projected area beyond that of the mean
     /// plane.
@@ -96,9 +95,8 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     pub fn slope_pdf(&self, slope: impl Into<[S::Scalar; 2]>) -> S::Scalar {
         let s = slope.into();
         let (zero, one) = (S::Scalar::ZERO, S::Scalar::ONE);
-        let form = self.shape.form([-s[0], -s[1], one], [zero; 3]);
-        let root_det = self.shape.root_det();
-        let density = D::density(form, root_det, one, one, inverse_pi::<S::Scalar>());
+        let form = self.shape.form([-s[0], -s[1], one]);
+        let density = D::density(form, self.shape.extent(), one, one, inverse_pi());
         density.max(zero).min(S::Scalar::MAX)
     }
 
@@ -120,9 +118,8 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     #[inline(always)]
     pub fn d(&self, m: impl Into<[S::Scalar; 3]>) -> S::Scalar {
         let (m, zero, one) = (m.into(), S::Scalar::ZERO, S::Scalar::ONE);
-        let form = self.shape.form(m, [zero; 3]);
-        let root_det = self.shape.root_det();
-        let density = D::density(form, root_det, m[2], one, inverse_pi::<S::Scalar>());
+        let form = self.shape.form(m);
+        let density = D::density(form, self.shape.extent(), m[2], one, inverse_pi());
         density.max(zero).min(if m[2] > zero { S::Scalar::MAX } else { zero })
     }
 
@@ -130,9 +127,8 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
     ///
     /// $h$ is the half vector of the unit directions `wo` and `wi`, $c$ the projected area of the
     /// mean plane (meso normalization, LEADR; for centered lobes $c = w_z$), $G_2$
-    /// height-correlated. Multiply by Fresnel and by $c_i$ to shade. The sum $w_o + w_i$ is carried
-    /// to twice the precision for the shapes that need it. 0 if $c_o \le 0$, $c_i \le 0$ or $h$ is
-    /// below the horizon; at most the largest finite number.
+    /// height-correlated. Multiply by Fresnel and by $c_i$ to shade. 0 if $c_o \le 0$, $c_i \le
+    /// 0$ or $h$ is below the horizon; at most the largest finite number.
     ///
     /// ```
     /// use lobe::{Beckmann, Isotropic};
@@ -168,12 +164,10 @@ impl<D: Distribution, S: LobeShape> Ndf<D, S> {
         wi: [S::Scalar; 3],
         weight: S::Scalar,
     ) -> (S::Scalar, S::Scalar) {
-        let (x, x_low) = two_sum(wo[0], wi[0]);
-        let (y, y_low) = two_sum(wo[1], wi[1]);
-        let (z, z_low) = two_sum(wo[2], wi[2]);
-        let form = self.shape.form([x, y, z], [x_low, y_low, z_low]);
+        let [x, y, z] = [0, 1, 2].map(|k| wo[k] + wi[k]);
+        let form = self.shape.form_of_sum(wo, wi);
         let length_squared = x * x + y * y + z * z;
-        (D::density(form, self.shape.root_det(), z, length_squared, weight), z)
+        (D::density(form, self.shape.extent(), z, length_squared, weight), z)
     }
 
     /// The BRDF times the cosine of `wi` with masking alone, $D(h)/(4 \sigma_o)$: no shadows.

@@ -5,6 +5,7 @@
 use super::distribution::Distribution;
 use super::distribution::sealed::Sealed;
 use crate::scalar::Real;
+use crate::slope::Extent;
 
 /// The scalar functions of GGX; see [`Ggx`](crate::Ggx).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,12 +17,13 @@ impl Sealed for GgxDistribution {
 }
 
 impl Distribution for GgxDistribution {
-    /// With $r = \sqrt{\det A}$ and $n = r q z^2$:
-    /// $\frac{\ell^4}{r (1 + q)^2 z^4} = r \left(\frac{\ell^2}{r z^2 + n}\right)^2$:
+    /// With $r = \sqrt{\det A}$, the unit $\kappa r$ and $n = \kappa r q z^2$:
+    /// $\frac{\ell^4}{r (1 + q)^2 z^4} = r \left(\frac{\kappa \ell^2}{\kappa r z^2 + n}\right)^2$:
     /// one division, none by z.
     #[inline(always)]
-    fn density<R: Real>(form: R, root_det: R, z: R, length_squared: R, weight: R) -> R {
-        let ratio = length_squared / (root_det * (z * z) + form);
+    fn density<R: Real>(form: R, extent: Extent<R>, z: R, length_squared: R, weight: R) -> R {
+        let Extent { root_det, unit, scale } = extent;
+        let ratio = (scale * length_squared) / (unit * (z * z) + form);
         (root_det * ratio) * ratio * weight
     }
 

@@ -1,6 +1,7 @@
 //! Floats without microfacets: precision, elementary functions, exact products, small matrices.
 
 pub(crate) mod atan;
+pub(crate) mod eigen;
 pub(crate) mod erfc;
 pub(crate) mod exact;
 pub(crate) mod exp;
@@ -21,6 +22,7 @@ pub(crate) mod quantile;
 mod real;
 mod single;
 
-pub use psd::{Eigen, Psd};
+pub use eigen::Eigen;
+pub use psd::Psd;
 pub(crate) use real::Internal;
 pub use real::Real;

@@ -1,15 +1,20 @@
-//! Symmetric positive semi-definite 2x2 matrices that carry the root of their determinant.
+//! Symmetric positive semi-definite 2x2 matrices, kept as a factor.
 //!
-//! Layer 0. A covariance near rank one loses its determinant in its entries: alpha = 1e-4 under a
-//! kernel of size 1 leaves nothing of the minor axis in f32. Every operation here that knows the
-//! determinant better than the rounded entries do (axes, outer products, sums) carries it along.
+//! Layer 0. A matrix near rank one loses its determinant in its entries: of alpha = 1e-4 under a
+//! kernel of size 1, f32 entries keep nothing of the minor axis. A factor L with $L L^T = A$ keeps
+//! both axes, so that determinants, forms and sums are products and sums of squares in plain
+//! arithmetic.
 
 use super::Real;
-use super::exact::{cross, difference_of_products, sum_of_products};
+use super::exact::difference_of_products;
 use crate::error::{Error, Value};
 use core::ops::{Add, AddAssign, Mul};
 
-/// A symmetric positive semi-definite matrix `[[xx, xy], [xy, yy]]`: a roughness or a covariance.
+/// A symmetric positive semi-definite matrix $A = L L^T$: a roughness or a covariance.
+///
+/// It is kept as its Cholesky factor, $L = \begin{pmatrix} l_{xx} & 0 \\\\ l_{yx} & l_{yy}
+/// \end{pmatrix}$ with $l_{xx}, l_{yy} \ge 0$: its determinant is right to a rounding however thin
+/// the ellipse is. Entries are products of the factor, rounded.
 ///
 /// ```
 /// use lobe::Psd;
@@ -19,33 +24,27 @@ use core::ops::{Add, AddAssign, Mul};
 /// assert!((eigen.major - 3.0).abs() < 1e-12 && (eigen.minor - 1.0).abs() < 1e-12);
 /// # Ok::<(), lobe::Error>(())
 /// ```
+// Further methods: scalar/eigen.rs.
 #[doc(alias = "LobePsd")]
 #[doc(alias = "lobe_psd_mul")]
 #[doc(alias = "lobe_psd_add")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[allow(clippy::struct_field_names, reason = "entries of the factor L")]
 pub struct Psd<R> {
-    xx: R,
-    xy: R,
-    yy: R,
-    root_det: R,
+    l_xx: R,
+    l_yx: R,
+    l_yy: R,
 }
 
-/// Eigenvalues and major axis of a [`Psd`].
-#[doc(alias = "LobeEigen")]
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
-pub struct Eigen<R> {
-    /// The larger eigenvalue.
-    pub major: R,
-    /// The smaller eigenvalue, without cancellation: determinant over `major`.
-    pub minor: R,
-    /// Unit vector of the major axis; `[1, 0]` for a multiple of the identity.
-    pub axis: [R; 2],
+/// The least entry xx that a factor has digits for: below it the squares that make it are no longer
+/// normal numbers, and the matrix counts as one along y.
+#[inline(always)]
+fn flat<R: Real>(xx: R) -> bool {
+    xx < R::MIN_POSITIVE / R::EPSILON
 }
 
 impl<R: Real> Psd<R> {
-    /// The matrix with these entries.
+    /// The matrix with these entries, by one compensated determinant.
     ///
     /// A determinant that is negative by no more than the rounding of the entries
     /// ($2 \epsilon\, xx\, yy$, or underflow) counts as zero: the outer product of a rounded vector
@@ -68,60 +67,97 @@ impl<R: Real> Psd<R> {
         Ok(Self::from_entries(xx, xy, yy))
     }
 
+    /// The matrix with this Cholesky factor, `[l_xx, l_yx, l_yy]`: the inverse of
+    /// [`Psd::cholesky`], to the bit.
+    ///
+    /// # Errors
+    /// [`Error::Factor`] unless `l_xx` and `l_yy` lie in $[0, 10^9]$ and `l_yx` in $[-10^9, 10^9]$,
+    /// or if `l_xx` is 0 and `l_yx` is not.
+    ///
+    /// ```
+    /// use lobe::Psd;
+    /// let psd = Psd::from_cholesky([2.0_f64, 1.0, 1.0])?;
+    /// assert_eq!(psd.entries(), [4.0, 2.0, 2.0]);
+    /// assert_eq!(psd.cholesky(), [2.0, 1.0, 1.0]);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    pub fn from_cholesky([l_xx, l_yx, l_yy]: [R; 3]) -> Result<Self, Error> {
+        let lies = l_xx > R::ZERO || l_yx == R::ZERO;
+        if l_xx.is_magnitude() && l_yy.is_magnitude() && l_yx.is_slope() && lies {
+            Ok(Self { l_xx, l_yx, l_yy })
+        } else {
+            Err(Error::Factor([l_xx, l_yx, l_yy].map(Value::from)))
+        }
+    }
+
+    /// [`Psd::from_cholesky`] of any finite factor.
+    #[cfg(feature = "serde")]
+    pub(crate) fn of_factor([l_xx, l_yx, l_yy]: [R; 3]) -> Result<Self, Error> {
+        let finite = l_xx.is_finite() && l_yx.is_finite() && l_yy.is_finite();
+        let lies = l_xx > R::ZERO || l_yx == R::ZERO;
+        if finite && l_xx >= R::ZERO && l_yy >= R::ZERO && lies {
+            Ok(Self { l_xx, l_yx, l_yy })
+        } else {
+            Err(Error::Factor([l_xx, l_yx, l_yy].map(Value::from)))
+        }
+    }
+
     /// The matrix with these entries, trusted to be positive semi-definite up to rounding.
     pub(crate) fn from_entries(xx: R, xy: R, yy: R) -> Self {
         let det = difference_of_products(xx, yy, xy, xy);
-        Self { xx, xy, yy, root_det: det.max(R::ZERO).sqrt() }
+        Self::with_root_det([xx, xy, yy], det.max(R::ZERO).sqrt())
     }
 
     /// The matrix with these entries, `xx`, `xy`, `yy`, whose determinant is known better than they
     /// tell it.
     #[inline(always)]
-    pub(crate) const fn with_root_det([xx, xy, yy]: [R; 3], root_det: R) -> Self {
-        Self { xx, xy, yy, root_det }
-    }
-
-    /// The nearest positive semi-definite matrix: negative eigenvalues become 0.
-    ///
-    /// For covariances that storage has rounded; [`Psd::new`] refuses what this mends. Entries up
-    /// to $10^{18}$; NaN gives the zero matrix.
-    ///
-    /// ```
-    /// let mended = lobe::Psd::nearest(1.0_f64, 2.0, 1.0); // eigenvalues 3 and -1
-    /// assert!(mended.entries().iter().all(|x| (x - 1.5).abs() < 1e-15));
-    /// ```
-    #[doc(alias = "lobe_psd_nearest")]
-    pub fn nearest(xx: R, xy: R, yy: R) -> Self {
-        let det = difference_of_products(xx, yy, xy, xy);
-        if xx >= R::ZERO && yy >= R::ZERO && det >= R::ZERO {
-            return Self::from_entries(xx, xy, yy);
-        }
-        let (major, [x, y]) = principal(xx, xy, yy);
-        let length = major.max(R::ZERO).sqrt();
-        Self::outer_sum([length * x, length * y], [R::ZERO; 2])
+    pub(crate) fn with_root_det([xx, xy, yy]: [R; 3], root_det: R) -> Self {
+        let flat = flat(xx);
+        let l_xx = xx.max(R::MIN_POSITIVE).sqrt();
+        let inverse = R::ONE / l_xx;
+        let along_y = Self { l_xx: R::ZERO, l_yx: R::ZERO, l_yy: yy.max(R::ZERO).sqrt() };
+        let regular = Self { l_xx, l_yx: xy * inverse, l_yy: root_det * inverse };
+        if flat { along_y } else { regular }
     }
 
     /// The zero matrix.
     pub const fn zero() -> Self {
-        Self { xx: R::ZERO, xy: R::ZERO, yy: R::ZERO, root_det: R::ZERO }
+        Self { l_xx: R::ZERO, l_yx: R::ZERO, l_yy: R::ZERO }
+    }
+
+    /// `x^2` times the identity.
+    #[inline(always)]
+    pub(crate) const fn round(x: R) -> Self {
+        Self { l_xx: x, l_yx: R::ZERO, l_yy: x }
+    }
+
+    /// `diag(x^2, y^2)`.
+    #[inline(always)]
+    pub(crate) const fn diagonal(x: R, y: R) -> Self {
+        Self { l_xx: x, l_yx: R::ZERO, l_yy: y }
     }
 
     /// `diag(x^2, y^2)` turned by an angle given as cosine and sine: the square of a scaling
     /// along axes.
     pub(crate) fn from_axes(x: R, y: R, cos: R, sin: R) -> Self {
-        let (xx, yy) = (x * x, y * y);
-        Self {
-            xx: xx * cos * cos + yy * sin * sin,
-            xy: (x - y) * (x + y) * cos * sin,
-            yy: xx * sin * sin + yy * cos * cos,
-            root_det: x * y,
+        if sin == R::ZERO {
+            return Self::diagonal(x, y);
         }
+        let (xx, yy) = (x * x, y * y);
+        let entries = [
+            xx * cos * cos + yy * sin * sin,
+            (x - y) * (x + y) * cos * sin,
+            xx * sin * sin + yy * cos * cos,
+        ];
+        Self::with_root_det(entries, x * y)
     }
 
     /// Standard deviations and correlation: `[[x^2, rho x y], [rho x y, y^2]]`.
     pub(crate) fn from_deviations(x: R, y: R, rho: R) -> Self {
         let complement = ((R::ONE - rho) * (R::ONE + rho)).sqrt();
-        Self { xx: x * x, xy: rho * x * y, yy: y * y, root_det: x * y * complement }
+        let along_y = Self { l_xx: R::ZERO, l_yx: R::ZERO, l_yy: y };
+        let regular = Self { l_xx: x, l_yx: rho * y, l_yy: y * complement };
+        if x > R::ZERO { regular } else { along_y }
     }
 
     /// $u u^T + v v^T$, whose determinant is the square of the cross product. Components up to
@@ -135,115 +171,122 @@ impl<R: Real> Psd<R> {
     #[doc(alias = "lobe_psd_outer_sum")]
     #[inline]
     pub fn outer_sum(u: [R; 2], v: [R; 2]) -> Self {
+        Self::outer_sum_with_root_det(u, v, (u[0] * v[1] - u[1] * v[0]).abs())
+    }
+
+    /// [`Psd::outer_sum`] of vectors whose cross product is known better than by their components.
+    #[inline]
+    pub(crate) fn outer_sum_with_root_det(u: [R; 2], v: [R; 2], root_det: R) -> Self {
+        let entries =
+            [u[0] * u[0] + v[0] * v[0], u[0] * u[1] + v[0] * v[1], u[1] * u[1] + v[1] * v[1]];
+        Self::with_root_det(entries, root_det)
+    }
+
+    /// $A + u u^T + v v^T$: the rows of $[L\; u\; v]$ turned to a triangle.
+    ///
+    /// With r the first row over its length, $l_{yx}'$ is the second row along r and $l_{yy}'^2$
+    /// the sum of the squared minors of the two rows (Cauchy-Binet): nothing but one product less
+    /// another cancels when a small round lobe meets a long thin kernel.
+    #[doc(alias = "lobe_psd_with_columns")]
+    #[inline(always)]
+    pub(crate) fn with_columns(&self, u: [R; 2], v: [R; 2]) -> Self {
+        let Self { l_xx, l_yx, l_yy } = *self;
+        let xx = l_xx * l_xx + (u[0] * u[0] + v[0] * v[0]);
+        let flat = flat(xx);
+        let length = xx.max(R::MIN_POSITIVE).sqrt();
+        let inverse = R::ONE / length;
+        let [r, r_u, r_v] = [l_xx * inverse, u[0] * inverse, v[0] * inverse];
+        let lean = r * l_yx + (r_u * u[1] + r_v * v[1]);
+        let minors = [r * u[1] - r_u * l_yx, r * v[1] - r_v * l_yx, r_u * v[1] - r_v * u[1]];
+        let [a, b, c] = minors;
+        let along_y = l_yx * l_yx + (u[1] * u[1] + v[1] * v[1]);
+        let across = a * a + (b * b + c * c);
+        let yy = l_yy * l_yy + if flat { along_y } else { across };
         Self {
-            xx: u[0] * u[0] + v[0] * v[0],
-            xy: sum_of_products(u[0], u[1], v[0], v[1]),
-            yy: u[1] * u[1] + v[1] * v[1],
-            root_det: cross(u, v).abs(),
+            l_xx: if flat { R::ZERO } else { length },
+            l_yx: if flat { R::ZERO } else { lean },
+            l_yy: yy.sqrt(),
         }
     }
 
-    /// The entries `xx`, `xy`, `yy`.
-    #[inline]
-    pub const fn entries(&self) -> [R; 3] {
-        [self.xx, self.xy, self.yy]
-    }
-
-    /// Determinant.
-    #[doc(alias = "lobe_psd_det")]
-    #[inline]
-    pub fn det(&self) -> R {
-        self.root_det * self.root_det
-    }
-
-    /// Square root of the determinant: the area scale of the ellipse.
+    /// The entries `xx`, `xy`, `yy`: products of the factor, each right to two roundings.
+    #[doc(alias = "lobe_psd_entries")]
     #[inline(always)]
-    pub const fn root_det(&self) -> R {
-        self.root_det
+    pub fn entries(&self) -> [R; 3] {
+        let Self { l_xx, l_yx, l_yy } = *self;
+        [l_xx * l_xx, l_xx * l_yx, l_yx * l_yx + l_yy * l_yy]
     }
 
-    /// Trace.
-    #[doc(alias = "lobe_psd_trace")]
-    pub fn trace(&self) -> R {
-        self.xx + self.yy
-    }
-
-    /// True if the smaller eigenvalue is no number of this precision: a mirror along some axis.
-    #[doc(alias = "lobe_psd_is_singular")]
-    #[inline(always)]
-    pub fn is_singular(&self) -> bool {
-        let minor = self.root_det * (self.root_det / self.trace().max(R::MIN_POSITIVE)).kept();
-        let least = minor.min(self.xx).min(self.yy);
-        !(least >= R::MIN_POSITIVE)
-    }
-
-    /// $\mathrm{tr}(\mathrm{adj}(A)\, B)$ as a sum of squares: with `u = a_xx b_xy - a_xy b_xx`,
-    /// $(u^2 + \det A\, b_{xx}^2 + \det B\, a_{xx}^2) / (a_{xx} b_{xx})$.
-    #[inline]
-    pub(crate) fn mixed_det(&self, other: &Self) -> R {
-        let u = difference_of_products(self.xx, other.xy, self.xy, other.xx);
-        // Below this the entries and their products have no digits to divide by: the square of a
-        // right angle's cosine, 6e-17, already is at the end of f32.
-        let least = R::MIN_POSITIVE / (R::EPSILON * R::EPSILON);
-        let (inverse, inverse_other) = (R::ONE / self.xx.max(least), R::ONE / other.xx.max(least));
-        // Quotients first: squares of the smallest entries underflow in f32.
-        let quotient = |inverse: R| (u * inverse).abs().min(R::MAX);
-        let squares = quotient(inverse) * quotient(inverse_other)
-            + other.xx * (self.root_det * (self.root_det * inverse).kept()).kept()
-            + self.xx * (other.root_det * (other.root_det * inverse_other).kept()).kept();
-        // One of the two is a line along y, or nothing: its xy is 0, or nearly, and no term
-        // cancels.
-        let products = self.xx * other.yy + self.yy * other.xx - R::TWO * self.xy * other.xy;
-        if self.xx.min(other.xx) < least { products.max(R::ZERO) } else { squares }
-    }
-
-    /// $w^T M w$, as a sum of squares: exact to a few ulp even along the minor axis.
-    #[doc(alias = "lobe_psd_quadratic")]
-    pub fn quadratic(&self, w: [R; 2]) -> R {
-        if self.xx < R::MIN_POSITIVE {
-            return self.yy * w[1] * w[1];
-        }
-        let u = sum_of_products(self.xx, w[0], self.xy, w[1]);
-        let along_y = self.root_det * w[1];
-        (u * u + along_y * along_y) / self.xx
-    }
-
-    /// Columns `[l11, l21]` and `[0, l22]` of the factor with $L L^T = M$, as `[l11, l21, l22]`.
+    /// Columns `[l_xx, l_yx]` and `[0, l_yy]` of the factor with $L L^T = A$, as
+    /// `[l_xx, l_yx, l_yy]`.
     ///
     /// ```
     /// use lobe::Psd;
     /// assert_eq!(Psd::new(4.0, 2.0, 2.0)?.cholesky(), [2.0_f64, 1.0, 1.0]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    #[doc(alias = "lobe_psd_cholesky")]
-    pub fn cholesky(&self) -> [R; 3] {
-        if self.xx < R::MIN_POSITIVE {
-            return [R::ZERO, R::ZERO, self.yy.sqrt()];
-        }
-        let l11 = self.xx.sqrt();
-        [l11, self.xy / l11, self.root_det / l11]
+    #[inline(always)]
+    pub const fn cholesky(&self) -> [R; 3] {
+        [self.l_xx, self.l_yx, self.l_yy]
     }
 
-    /// Eigenvalues and major axis.
-    #[doc(alias = "lobe_psd_eigen")]
-    pub fn eigen(&self) -> Eigen<R> {
-        let (major, axis) = principal(self.xx, self.xy, self.yy);
-        let minor = self.root_det * (self.root_det / major.max(R::MIN_POSITIVE)).kept();
-        let minor = minor.min(major);
-        Eigen { major, minor, axis }
+    /// The columns of the factor.
+    #[inline(always)]
+    pub(crate) const fn columns(&self) -> [[R; 2]; 2] {
+        [[self.l_xx, self.l_yx], [R::ZERO, self.l_yy]]
     }
 
-    /// The matrix with both eigenvalues limited to `limit`; the axes stay. A negative limit counts
-    /// as 0.
-    #[doc(alias = "lobe_psd_capped")]
-    #[must_use]
-    pub fn capped(&self, limit: R) -> Self {
-        let limit = limit.max(R::ZERO);
-        let Eigen { major, minor, axis: [cos, sin] } = self.eigen();
-        if major <= limit {
-            return *self;
-        }
-        Self::from_axes(limit.sqrt(), minor.min(limit).sqrt(), cos, sin)
+    /// Determinant.
+    #[doc(alias = "lobe_psd_det")]
+    #[inline(always)]
+    pub fn det(&self) -> R {
+        self.root_det() * self.root_det()
+    }
+
+    /// Square root of the determinant: the area scale of the ellipse.
+    #[doc(alias = "lobe_psd_root_det")]
+    #[inline(always)]
+    pub fn root_det(&self) -> R {
+        self.l_xx * self.l_yy
+    }
+
+    /// Trace.
+    #[doc(alias = "lobe_psd_trace")]
+    #[inline(always)]
+    pub fn trace(&self) -> R {
+        self.l_xx * self.l_xx + (self.l_yx * self.l_yx + self.l_yy * self.l_yy)
+    }
+
+    /// True if the determinant is below the smallest normal number: a mirror along some axis.
+    #[doc(alias = "lobe_psd_is_singular")]
+    #[inline(always)]
+    pub fn is_singular(&self) -> bool {
+        !(self.det() >= R::MIN_POSITIVE)
+    }
+
+    /// $v^T \mathrm{adj}(A)\, v = \det(A)\, v^T A^{-1} v$, a sum of squares.
+    #[doc(alias = "lobe_psd_adjugate_form")]
+    #[inline(always)]
+    pub(crate) fn adjugate_form(&self, v: [R; 2]) -> R {
+        let along = self.l_xx * v[1] - self.l_yx * v[0];
+        let across = self.l_yy * v[0];
+        along * along + across * across
+    }
+
+    /// $\mathrm{tr}(\mathrm{adj}(A)\, B)$, the adjugate form of B's columns.
+    #[inline(always)]
+    pub(crate) fn mixed_det(&self, other: &Self) -> R {
+        let [u, v] = other.columns();
+        self.adjugate_form(u) + self.adjugate_form(v)
+    }
+
+    /// $w^T A w = |L^T w|^2$, a sum of squares.
+    #[doc(alias = "lobe_psd_quadratic")]
+    #[inline(always)]
+    pub fn quadratic(&self, w: [R; 2]) -> R {
+        let along = self.l_xx * w[0] + self.l_yx * w[1];
+        let across = self.l_yy * w[1];
+        along * along + across * across
     }
 }
 
@@ -253,13 +296,8 @@ impl<R: Real> Mul<R> for Psd<R> {
     /// The matrix times a finite factor; a negative one and NaN count as 0.
     #[inline]
     fn mul(self, factor: R) -> Self {
-        let factor = factor.max(R::ZERO);
-        Self {
-            xx: self.xx * factor,
-            xy: self.xy * factor,
-            yy: self.yy * factor,
-            root_det: self.root_det * factor,
-        }
+        let root = factor.max(R::ZERO).sqrt();
+        Self { l_xx: self.l_xx * root, l_yx: self.l_yx * root, l_yy: self.l_yy * root }
     }
 }
 
@@ -267,18 +305,10 @@ impl<R: Real> Add for Psd<R> {
     type Output = Self;
 
     /// The sum of two matrices.
-    ///
-    /// $\det(A + B) = \det A + \mathrm{tr}(\mathrm{adj}(A)\, B) + \det B$, every term non-negative:
-    /// nothing cancels when a small round lobe meets a long thin kernel.
     #[inline]
     fn add(self, other: Self) -> Self {
-        let det = self.det() + self.mixed_det(&other) + other.det();
-        Self {
-            xx: self.xx + other.xx,
-            xy: self.xy + other.xy,
-            yy: self.yy + other.yy,
-            root_det: det.sqrt(),
-        }
+        let [u, v] = other.columns();
+        self.with_columns(u, v)
     }
 }
 
@@ -286,19 +316,4 @@ impl<R: Real> AddAssign for Psd<R> {
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
-}
-
-/// The larger eigenvalue of a symmetric matrix and its unit vector.
-fn principal<R: Real>(xx: R, xy: R, yy: R) -> (R, [R; 2]) {
-    let half_difference = R::HALF * (xx - yy);
-    let scale = half_difference.abs().max(xy.abs());
-    if scale < R::MIN_POSITIVE {
-        return (xx, [R::ONE, R::ZERO]);
-    }
-    let (h, k) = ((half_difference / scale).kept(), (xy / scale).kept());
-    let r = (h * h + k * k).sqrt();
-    // The larger of the two equivalent vectors, so that neither component cancels.
-    let (x, y) = if h >= R::ZERO { (h + r, k) } else { (k, r - h) };
-    let length = (x * x + y * y).sqrt();
-    (R::HALF * (xx + yy) + r * scale, [x / length, y / length])
 }

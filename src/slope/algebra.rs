@@ -158,8 +158,8 @@ impl<R: Real> SlopeMoments<R> {
         let (u, v) = (apply(matrix, [l11, l21]), apply(matrix, [R::ZERO, l22]));
         let det = cross(matrix[0], matrix[1]).abs();
         // The product of determinants, not that of the rounded product.
-        let covariance =
-            Psd::with_root_det(Psd::outer_sum(u, v).entries(), det * self.covariance().root_det());
+        let root_det = det * self.covariance().root_det();
+        let covariance = Psd::outer_sum_with_root_det(u, v, root_det);
         Self::bounded(apply(matrix, self.mean()), covariance)
     }
 

@@ -2,6 +2,7 @@
 
 mod algebra;
 mod anisotropic;
+mod compensated;
 pub mod direction;
 mod footprint;
 pub mod jacobian;
@@ -14,8 +15,11 @@ mod path;
 pub mod ray;
 mod roughness;
 mod shape;
+mod whiten;
+mod widened;
 
 pub use anisotropic::Anisotropic;
+pub use compensated::Compensated;
 pub use footprint::Footprint;
 pub use lobe::Lobe;
 pub use mean_frame::MeanFrame;
@@ -24,4 +28,6 @@ pub use motion::Motion;
 pub use non_centered::NonCentered;
 pub use path::{Path, Vertex};
 pub use roughness::{Alphas, Roughness};
-pub use shape::{AxisAligned, Isotropic, LobeShape};
+pub use shape::{AxisAligned, Extent, Isotropic, LobeShape};
+pub use whiten::Whiten;
+pub use widened::Widened;

@@ -3,10 +3,11 @@
 //! Layer 1.
 
 use super::direction::checked_slope;
-use super::shape::LobeShape;
+use super::shape::{Extent, LobeShape};
+use super::whiten::Whiten;
 use crate::error::Error;
-use crate::scalar::Internal;
-use crate::scalar::exact::{add_product, add_products, two_sum};
+use crate::scalar::Real;
+use crate::scalar::exact::two_sum;
 
 /// A shape moved to a mean slope: the microsurface over a tilted plane, as LEAN and LEADR have it.
 #[doc(alias = "LobeNonCentered")]
@@ -35,6 +36,23 @@ impl<S: LobeShape> NonCentered<S> {
         Ok(Self { shape, mean: checked_slope(mean)? })
     }
 
+    /// From a mean slope of a texture: the nearest components in $[-10^9, 10^9]$ count, NaN as one
+    /// of its ends.
+    ///
+    /// ```
+    /// use lobe::{Isotropic, NonCentered};
+    /// let shape = Isotropic::saturating(0.1_f32);
+    /// let mean = [0.3, 0.0];
+    /// assert_eq!(NonCentered::saturating(shape, mean), NonCentered::new(shape, mean)?);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn saturating(shape: S, mean: impl Into<[S::Scalar; 2]>) -> Self {
+        let largest = S::Scalar::LARGEST;
+        let [x, y] = mean.into();
+        Self { shape, mean: [x.max(-largest).min(largest), y.max(-largest).min(largest)] }
+    }
+
     /// The shape around the mean.
     pub const fn shape(&self) -> &S {
         &self.shape
@@ -56,24 +74,35 @@ impl<S: LobeShape> LobeShape for NonCentered<S> {
     const CENTERED: bool = false;
 
     #[inline(always)]
-    fn root_det(&self) -> S::Scalar {
-        self.shape.root_det()
+    fn extent(&self) -> Extent<S::Scalar> {
+        self.shape.extent()
     }
-    /// The shift is exact to twice the precision: at mean 1 and alpha 1e-4 a rounded slope
-    /// difference is off by 1e-3 alphas in f32.
     #[inline(always)]
-    fn form(&self, m: [S::Scalar; 3], m_low: [S::Scalar; 3]) -> S::Scalar {
-        let (x, x_low) = add_product(m[0], self.mean[0], m[2]);
-        let (y, y_low) = add_product(m[1], self.mean[1], m[2]);
-        let low = [
-            x_low + (m_low[0] + self.mean[0] * m_low[2]),
-            y_low + (m_low[1] + self.mean[1] * m_low[2]),
-        ];
-        // Renormalized, as centered shapes other than `Anisotropic` ignore the low part.
-        let (x_sum, y_sum) = ((x + low[0]).kept(), (y + low[1]).kept());
-        let rest = [low[0] - (x_sum - x).kept(), low[1] - (y_sum - y).kept(), m_low[2]];
-        self.shape.form([x_sum, y_sum, m[2]], rest)
+    fn form(&self, m: [S::Scalar; 3]) -> S::Scalar {
+        let [x, y] = self.relative(m);
+        self.shape.form([x, y, m[2]])
     }
+    #[inline(always)]
+    fn relative(&self, m: [S::Scalar; 3]) -> [S::Scalar; 2] {
+        let ([x, y], [mean_x, mean_y]) = (self.shape.relative(m), self.mean);
+        [x + mean_x * m[2], y + mean_y * m[2]]
+    }
+    #[inline(always)]
+    fn adjugate_form(&self, v: [S::Scalar; 2]) -> S::Scalar {
+        self.shape.adjugate_form(v)
+    }
+    #[inline(always)]
+    fn stretch_squared(&self, w: [S::Scalar; 3]) -> S::Scalar {
+        self.shape.stretch_squared(w)
+    }
+    #[inline(always)]
+    fn mean_area(&self, w: [S::Scalar; 3]) -> S::Scalar {
+        let [x, y] = self.mean;
+        self.shape.mean_area(w) - (x * w[0] + y * w[1])
+    }
+}
+
+impl<S: Whiten> Whiten for NonCentered<S> {
     #[inline(always)]
     fn offset(&self, slope: [S::Scalar; 2]) -> ([S::Scalar; 2], [S::Scalar; 2]) {
         let ([x, y], low) = self.shape.offset(slope);
@@ -88,14 +117,5 @@ impl<S: LobeShape> LobeShape for NonCentered<S> {
     #[inline(always)]
     fn major(&self) -> ([S::Scalar; 2], S::Scalar) {
         self.shape.major()
-    }
-    #[inline(always)]
-    fn stretch_squared(&self, w: [S::Scalar; 3]) -> S::Scalar {
-        self.shape.stretch_squared(w)
-    }
-    #[inline(always)]
-    fn mean_area(&self, w: [S::Scalar; 3]) -> S::Scalar {
-        let [x, y] = self.mean;
-        add_products(self.shape.mean_area(w), -x, w[0], -y, w[1])
     }
 }

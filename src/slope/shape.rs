@@ -1,18 +1,33 @@
 //! Shapes: what a distribution needs to know of roughness and mean, at the price of what a scene
 //! has.
 //!
-//! Layer 1. Whatever its anisotropy and tilt, a lobe meets its distribution in four numbers: the
-//! root of the determinant, the form n(m), the squared stretch a^2(w) and the mean projected area
-//! c(w). `Isotropic` answers with plain products, `Anisotropic` with compensated ones; the compiler
-//! keeps only what the shape in use needs.
+//! Layer 1. Whatever its anisotropy and tilt, a lobe meets its distribution in a few numbers: its
+//! [`Extent`], the form n(m), the squared stretch a^2(w) and the mean projected area c(w). Every
+//! answer is a sum of squares in plain arithmetic; the compiler keeps only what the shape in use
+//! needs.
 
 use super::roughness::Roughness;
 use crate::error::Error;
 use crate::scalar::{Psd, Real};
 
-/// The questions that a distribution and its filters ask.
+/// How large a lobe is: $\sqrt{\det A}$, and the unit of its [`LobeShape::form`].
+#[doc(alias = "LobeExtent")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent<R> {
+    /// $\sqrt{\det A}$; 0 for a mirror along some axis.
+    pub root_det: R,
+    /// The form of a normal one lobe away from the mean: $n = \mathrm{unit}\; q\, m_z^2$.
+    pub unit: R,
+    /// The unit over the root of the determinant. 1 where a shape has nothing to scale by.
+    pub scale: R,
+}
+
+/// The questions that a distribution asks. Exact means over polygons ask more:
+/// [`Whiten`](super::Whiten).
 ///
 /// Directions are in the tangent frame and need not have unit length: every answer is homogeneous.
+/// Answers are backward accurate: each is the exact one for parameters and directions moved by a
+/// few roundings. [`Compensated`](super::Compensated) is forward accurate instead.
 pub trait LobeShape: Copy {
     /// The precision.
     type Scalar: Real;
@@ -20,54 +35,76 @@ pub trait LobeShape: Copy {
     /// True if the mean is 0 for every value of this shape.
     const CENTERED: bool;
 
-    /// $\sqrt{\det A}$; 0 for a mirror along some axis.
-    #[doc(alias = "lobe_isotropic_root_det")]
-    #[doc(alias = "lobe_axis_aligned_root_det")]
-    fn root_det(&self) -> Self::Scalar;
+    /// The lobe's size and the unit of its form.
+    #[doc(alias = "lobe_isotropic_extent")]
+    #[doc(alias = "lobe_axis_aligned_extent")]
+    #[doc(alias = "lobe_anisotropic_extent")]
+    #[doc(alias = "lobe_widened_extent")]
+    fn extent(&self) -> Extent<Self::Scalar>;
 
-    /// $n(m) = \sqrt{\det A}\; v^T A^{-1} v$ with $v = m_{xy} + \mu m_z$, for the direction
-    /// `m + m_low`, an unevaluated sum whose second part is of the order of rounding.
+    /// $\sqrt{\det A}$; 0 for a mirror along some axis.
+    #[inline(always)]
+    fn root_det(&self) -> Self::Scalar {
+        self.extent().root_det
+    }
+
+    /// $n(m) = \mathrm{unit}\; v^T A^{-1} v$ with $v = m_{xy} + \mu m_z$ and the unit of
+    /// [`LobeShape::extent`].
     ///
-    /// With $s$ the slope of $m$ and $q = (s - \mu)^T A^{-1} (s - \mu)$: $n = \sqrt{\det A}\, q\,
+    /// With $s$ the slope of $m$ and $q = (s - \mu)^T A^{-1} (s - \mu)$: $n = \mathrm{unit}\; q\,
     /// m_z^2$. Free of divisions by $m_z$, hence valid up to the horizon.
     #[doc(alias = "lobe_isotropic_form")]
     #[doc(alias = "lobe_axis_aligned_form")]
     #[doc(alias = "lobe_anisotropic_form")]
     #[doc(alias = "lobe_non_centered_form")]
-    fn form(&self, m: [Self::Scalar; 3], m_low: [Self::Scalar; 3]) -> Self::Scalar;
+    #[doc(alias = "lobe_widened_form")]
+    #[inline(always)]
+    fn form(&self, m: [Self::Scalar; 3]) -> Self::Scalar {
+        self.adjugate_form(self.relative(m))
+    }
 
-    /// The slope relative to the mean, $s - \mu$, as an unevaluated sum, high and low.
-    #[doc(alias = "lobe_non_centered_offset")]
-    fn offset(&self, slope: [Self::Scalar; 2]) -> ([Self::Scalar; 2], [Self::Scalar; 2]);
+    /// $m_{xy} + \mu m_z$, of slope s: $(\mu - s)\, m_z$.
+    #[doc(alias = "lobe_non_centered_relative")]
+    #[inline(always)]
+    fn relative(&self, m: [Self::Scalar; 3]) -> [Self::Scalar; 2] {
+        [m[0], m[1]]
+    }
 
-    /// $L^{-1} v$ with $L L^T = A$, for the difference of slopes `v + v_low`: lengths in units of
-    /// the lobe. Not defined for a mirror.
-    #[doc(alias = "lobe_anisotropic_whiten")]
-    fn whiten(&self, v: [Self::Scalar; 2], v_low: [Self::Scalar; 2]) -> [Self::Scalar; 2];
+    /// The form of a sum of two directions.
+    #[inline(always)]
+    fn form_of_sum(&self, wo: [Self::Scalar; 3], wi: [Self::Scalar; 3]) -> Self::Scalar {
+        self.form([wo[0] + wi[0], wo[1] + wi[1], wo[2] + wi[2]])
+    }
 
-    /// The unit vector of the major axis of A, and alpha along it: all that is left of a groove,
-    /// whose A has rank one.
-    ///
-    /// $A \approx \alpha^2 g g^T$ for the vector g and alpha, up to the minor axis. `[1, 0]` for a
-    /// round A.
-    ///
-    /// ```
-    /// use lobe::{AxisAligned, LobeShape};
-    /// assert_eq!(AxisAligned::new(0.0_f32, 0.3)?.major(), ([0.0, 1.0], 0.3));
-    /// # Ok::<(), lobe::Error>(())
-    /// ```
-    #[doc(alias = "lobe_anisotropic_major")]
-    fn major(&self) -> ([Self::Scalar; 2], Self::Scalar);
+    /// $v^T \mathrm{adj}(A)\, v = \det(A)\, v^T A^{-1} v$ of a difference of slopes.
+    #[doc(alias = "lobe_isotropic_adjugate_form")]
+    fn adjugate_form(&self, v: [Self::Scalar; 2]) -> Self::Scalar;
 
     /// $a^2(w) = w_{xy}^T A\, w_{xy}$.
     #[doc(alias = "lobe_isotropic_stretch_squared")]
     #[doc(alias = "lobe_axis_aligned_stretch_squared")]
     #[doc(alias = "lobe_anisotropic_stretch_squared")]
+    #[doc(alias = "lobe_widened_stretch_squared")]
     fn stretch_squared(&self, w: [Self::Scalar; 3]) -> Self::Scalar;
 
     /// $c(w) = w_z - \mu \cdot w_{xy}$, the projected area of the mean plane.
     #[doc(alias = "lobe_non_centered_mean_area")]
-    fn mean_area(&self, w: [Self::Scalar; 3]) -> Self::Scalar;
+    #[inline(always)]
+    fn mean_area(&self, w: [Self::Scalar; 3]) -> Self::Scalar {
+        w[2]
+    }
+}
+
+/// The nearest number in [0, 1e9]; 0 for NaN.
+#[inline(always)]
+fn saturated<R: Real>(alpha: R) -> R {
+    alpha.max(R::ZERO).min(R::LARGEST)
+}
+
+/// The extent of a shape whose form is $\det(A)\, q\, m_z^2$.
+#[inline(always)]
+pub(super) fn extent_of<R: Real>(root_det: R) -> Extent<R> {
+    Extent { root_det, unit: root_det * root_det, scale: root_det }
 }
 
 /// $A = \alpha^2 I$, centered.
@@ -87,7 +124,7 @@ impl<R: Real> Isotropic<R> {
     /// From alpha.
     ///
     /// # Errors
-    /// [`Error::Alpha`].
+    /// [`Error::Alpha`] unless in $[0, 10^9]$.
     ///
     /// ```
     /// use lobe::{Ggx, Isotropic};
@@ -100,19 +137,30 @@ impl<R: Real> Isotropic<R> {
     pub fn new(alpha: R) -> Result<Self, Error> {
         if alpha.is_magnitude() { Ok(Self { alpha }) } else { Err(Error::Alpha(alpha.into())) }
     }
+
+    /// From an alpha of a texture or a G-buffer: the nearest in $[0, 10^9]$ counts, 0 for NaN.
+    ///
+    /// ```
+    /// use lobe::Isotropic;
+    /// assert_eq!(Isotropic::saturating(0.5_f32), Isotropic::new(0.5)?);
+    /// assert_eq!(Isotropic::saturating(-1.0_f32), Isotropic::new(0.0)?);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn saturating(alpha: R) -> Self {
+        Self { alpha: saturated(alpha) }
+    }
+
+    /// alpha.
+    pub const fn alpha(&self) -> R {
+        self.alpha
+    }
 }
 
 /// $\alpha^2 I$.
 impl<R: Real> From<Isotropic<R>> for Roughness<R> {
     fn from(shape: Isotropic<R>) -> Self {
-        Self::from_matrix(Psd::from_axes(shape.alpha, shape.alpha, R::ONE, R::ZERO))
-    }
-}
-
-impl<R: Real> Isotropic<R> {
-    /// alpha.
-    pub const fn alpha(&self) -> R {
-        self.alpha
+        Self::from_matrix(Psd::round(shape.alpha))
     }
 }
 
@@ -121,33 +169,21 @@ impl<R: Real> LobeShape for Isotropic<R> {
     const CENTERED: bool = true;
 
     #[inline(always)]
-    fn root_det(&self) -> R {
-        self.alpha * self.alpha
+    fn extent(&self) -> Extent<R> {
+        let square = self.alpha * self.alpha;
+        Extent { root_det: square, unit: square, scale: R::ONE }
     }
     #[inline(always)]
-    fn form(&self, m: [R; 3], _: [R; 3]) -> R {
+    fn form(&self, m: [R; 3]) -> R {
         m[0] * m[0] + m[1] * m[1]
     }
     #[inline(always)]
-    fn offset(&self, slope: [R; 2]) -> ([R; 2], [R; 2]) {
-        (slope, [R::ZERO; 2])
-    }
-    #[inline(always)]
-    fn whiten(&self, v: [R; 2], _: [R; 2]) -> [R; 2] {
-        let inverse = R::ONE / self.alpha;
-        [v[0] * inverse, v[1] * inverse]
-    }
-    #[inline(always)]
-    fn major(&self) -> ([R; 2], R) {
-        ([R::ONE, R::ZERO], self.alpha)
+    fn adjugate_form(&self, v: [R; 2]) -> R {
+        self.alpha * self.alpha * (v[0] * v[0] + v[1] * v[1])
     }
     #[inline(always)]
     fn stretch_squared(&self, w: [R; 3]) -> R {
-        self.root_det() * (w[0] * w[0] + w[1] * w[1])
-    }
-    #[inline(always)]
-    fn mean_area(&self, w: [R; 3]) -> R {
-        w[2]
+        self.alpha * self.alpha * (w[0] * w[0] + w[1] * w[1])
     }
 }
 
@@ -156,15 +192,13 @@ impl<R: Real> LobeShape for Isotropic<R> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisAligned<R> {
     alphas: [R; 2],
-    /// One over each, at most the largest number.
-    inverse: [R; 2],
 }
 
 impl<R: Real> AxisAligned<R> {
     /// From alpha along x and along y.
     ///
     /// # Errors
-    /// [`Error::AlphaX`], [`Error::AlphaY`].
+    /// [`Error::AlphaX`], [`Error::AlphaY`] unless in $[0, 10^9]$.
     ///
     /// ```
     /// use lobe::{AxisAligned, Beckmann};
@@ -181,8 +215,24 @@ impl<R: Real> AxisAligned<R> {
         if !alpha_y.is_magnitude() {
             return Err(Error::AlphaY(alpha_y.into()));
         }
-        let inverse = [alpha_x, alpha_y].map(|alpha| R::ONE / alpha.max(R::MIN_POSITIVE));
-        Ok(Self { alphas: [alpha_x, alpha_y], inverse })
+        Ok(Self { alphas: [alpha_x, alpha_y] })
+    }
+
+    /// From alphas of a texture or a G-buffer: the nearest in $[0, 10^9]$ count, 0 for NaN.
+    ///
+    /// ```
+    /// use lobe::AxisAligned;
+    /// assert_eq!(AxisAligned::saturating(0.5_f32, -0.1), AxisAligned::new(0.5, 0.0)?);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn saturating(alpha_x: R, alpha_y: R) -> Self {
+        Self { alphas: [saturated(alpha_x), saturated(alpha_y)] }
+    }
+
+    /// alpha along x and along y.
+    pub const fn alphas(&self) -> [R; 2] {
+        self.alphas
     }
 }
 
@@ -197,14 +247,7 @@ impl<R: Real> AxisAligned<R> {
 impl<R: Real> From<AxisAligned<R>> for Roughness<R> {
     fn from(shape: AxisAligned<R>) -> Self {
         let [x, y] = shape.alphas;
-        Self::from_matrix(Psd::from_axes(x, y, R::ONE, R::ZERO))
-    }
-}
-
-impl<R: Real> AxisAligned<R> {
-    /// alpha along x and along y.
-    pub const fn alphas(&self) -> [R; 2] {
-        self.alphas
+        Self::from_matrix(Psd::diagonal(x, y))
     }
 }
 
@@ -213,34 +256,17 @@ impl<R: Real> LobeShape for AxisAligned<R> {
     const CENTERED: bool = true;
 
     #[inline(always)]
-    fn root_det(&self) -> R {
-        self.alphas[0] * self.alphas[1]
+    fn extent(&self) -> Extent<R> {
+        extent_of(self.alphas[0] * self.alphas[1])
     }
     #[inline(always)]
-    fn form(&self, m: [R; 3], _: [R; 3]) -> R {
-        let (x, y) = (m[0] * self.inverse[0], m[1] * self.inverse[1]);
-        (x * x + y * y) * self.root_det()
-    }
-    #[inline(always)]
-    fn offset(&self, slope: [R; 2]) -> ([R; 2], [R; 2]) {
-        (slope, [R::ZERO; 2])
-    }
-    #[inline(always)]
-    fn whiten(&self, v: [R; 2], _: [R; 2]) -> [R; 2] {
-        [v[0] * self.inverse[0], v[1] * self.inverse[1]]
-    }
-    #[inline(always)]
-    fn major(&self) -> ([R; 2], R) {
-        let ([x, y], (zero, one)) = (self.alphas, (R::ZERO, R::ONE));
-        if y > x { ([zero, one], y) } else { ([one, zero], x) }
+    fn adjugate_form(&self, v: [R; 2]) -> R {
+        let (x, y) = (v[0] * self.alphas[1], v[1] * self.alphas[0]);
+        x * x + y * y
     }
     #[inline(always)]
     fn stretch_squared(&self, w: [R; 3]) -> R {
         let (x, y) = (self.alphas[0] * w[0], self.alphas[1] * w[1]);
         x * x + y * y
-    }
-    #[inline(always)]
-    fn mean_area(&self, w: [R; 3]) -> R {
-        w[2]
     }
 }

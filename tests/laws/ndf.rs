@@ -84,9 +84,10 @@ fn agree<D: Known>(
     let inputs = (D::NAME, inputs, slope, wo, wi);
     let (a, b) = (Ndf::<D, _>::new(a), Ndf::<D, _>::new(b));
     // A dozen roundings; the exponent of Beckmann, up to 740, multiplies them.
-    let exponent = a.shape().form([-slope[0], -slope[1], 1.0], [0.0; 3]) / a.shape().root_det();
+    let unit = a.shape().extent().unit;
+    let exponent = a.shape().form([-slope[0], -slope[1], 1.0]) / unit;
     let h = [wo[0] + wi[0], wo[1] + wi[1], wo[2] + wi[2]];
-    let steep = a.shape().form(h, [0.0; 3]) / a.shape().root_det() / (h[2] * h[2]);
+    let steep = a.shape().form(h) / unit / (h[2] * h[2]);
     let few = 32.0 * ULP;
     let same = |x: f64, y: f64, factor: f64| {
         // Below the normal numbers there are no digits to compare.

@@ -5,13 +5,14 @@ use crate::common::arbitrary::Source;
 use crate::common::quadrature::over_square;
 use crate::common::{check, ensure};
 use core::f64::consts::PI;
+use lobe::slope::Whiten;
 use lobe::slope::direction::{normal_of, reflect};
-use lobe::{Anisotropic, AxisAligned, Footprint, Ggx, Isotropic, LobeShape, Psd, Roughness};
+use lobe::{Anisotropic, AxisAligned, Footprint, Ggx, Isotropic, Psd, Roughness};
 use proptest::test_runner::TestCaseResult;
 
 /// D as [`lobe::Ndf::brdf_over`] has it: both directions mirrored at the half vector's normal,
 /// visibility divided out.
-fn shaded<S: LobeShape<Scalar = f64>>(ggx: &Ggx<S>, slope: [f64; 2], over: &Footprint<f64>) -> f64 {
+fn shaded<S: Whiten<Scalar = f64>>(ggx: &Ggx<S>, slope: [f64; 2], over: &Footprint<f64>) -> f64 {
     let m = normal_of(slope);
     // Both along the half vector: always above the surface.
     let wo = m;

@@ -8,6 +8,7 @@ use crate::common::reference::Known;
 use crate::common::{ULP_SINGLE, check, ensure, near};
 use lobe::filter::beckmann_rectangle_mean;
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
+use lobe::slope::{Compensated, Whiten};
 use lobe::{Footprint, Ggx, Lobe, LobeShape, Ndf, Psd, Real, Roughness};
 use proptest::test_runner::TestCaseResult;
 
@@ -27,15 +28,25 @@ fn budget<D: Known>() -> f64 {
     if D::NAME == "GGX" { GGX_BUDGET } else { BECKMANN_BUDGET }
 }
 
-/// The same lobe in both precisions, from entries that are exactly f32.
+/// The same lobe in both precisions, from a factor that is exactly f32.
 fn both(input: &LobeInput) -> (Lobe<f32>, Lobe<f64>) {
     let [xx, xy, yy] = input.ellipse.entries_single();
     let mean = input.mean.map(|x| x as f32);
     let single = Psd::new(xx, xy, yy).expect("an ellipse");
-    let double = Psd::new(f64::from(xx), f64::from(xy), f64::from(yy)).expect("an ellipse");
+    let double = Psd::from_cholesky(single.cholesky().map(f64::from)).expect("a factor");
     (
         Lobe::new(mean, Roughness::from_matrix(single)).expect("a finite mean"),
         Lobe::new(mean.map(f64::from), Roughness::from_matrix(double)).expect("a finite mean"),
+    )
+}
+
+/// The compensated shape in both precisions, from entries that are exactly f32.
+fn exact(input: &LobeInput) -> (Compensated<f32>, Compensated<f64>) {
+    let entries = input.ellipse.entries_single();
+    let mean = input.mean.map(|x| x as f32);
+    (
+        Compensated::new(mean, entries).expect("an ellipse and a mean"),
+        Compensated::new(mean.map(f64::from), entries.map(f64::from)).expect("the same"),
     )
 }
 
@@ -49,9 +60,8 @@ fn agrees(got: f32, want: f64, relative: f64, inputs: &dyn core::fmt::Debug) -> 
 }
 
 /// q = (s - mu)^T A^-1 (s - mu) of the direction m, in f64.
-fn exponent(lobe: &Lobe<f64>, m: [f64; 3]) -> f64 {
-    let shape = lobe.shape();
-    shape.form(m, [0.0; 3]) / (shape.root_det() * m[2] * m[2])
+fn exponent(shape: &impl LobeShape<Scalar = f64>, m: [f64; 3]) -> f64 {
+    shape.form(m) / (shape.extent().unit * m[2] * m[2])
 }
 
 /// Whether f32 has normal numbers for exp(-q): always for GGX.
@@ -59,13 +69,29 @@ fn has_digits<D: Known>(exponent: f64) -> bool {
     D::NAME == "GGX" || exponent < LARGEST_EXPONENT
 }
 
+/// A light in the mirror direction about a normal of the lobe.
+fn mirrored(source: &mut Source, input: &LobeInput, wo: [f64; 3]) -> [f64; 3] {
+    let slope = source.slope_near(input);
+    let m = [-slope[0], -slope[1], 1.0];
+    let twice = 2.0 * (wo[0] * m[0] + wo[1] * m[1] + wo[2]) / (m[0] * m[0] + m[1] * m[1] + 1.0);
+    [0, 1, 2].map(|k| twice * m[k] - wo[k])
+}
+
+/// Slopes and normals near the lobe and anywhere, exactly f32.
+fn places(source: &mut Source, input: &LobeInput) -> ([[f32; 2]; 2], [[f32; 3]; 2]) {
+    let (close, far) = (source.slope_near(input), source.slope());
+    let z = 1.0 / (1.0 + close[0] * close[0] + close[1] * close[1]).sqrt();
+    let normal = [-close[0] * z, -close[1] * z, z];
+    let normals = [normal, source.direction()].map(|m| m.map(|x| x as f32));
+    ([close, far].map(|s| s.map(|x| x as f32)), normals)
+}
+
 fn densities<D: Known>(source: &mut Source) -> TestCaseResult {
     let input = source.lobe();
-    let (single, double) = both(&input);
-    let (narrow, wide) = (Ndf::<D, _>::new(single.shape()), Ndf::<D, _>::new(double.shape()));
-    let close = source.slope_near(&input);
-    let far = source.slope();
-    for slope in [close, far].map(|s| s.map(|x| x as f32)) {
+    let (single, double) = exact(&input);
+    let (narrow, wide) = (Ndf::<D, _>::new(single), Ndf::<D, _>::new(double));
+    let (slopes, normals) = places(source, &input);
+    for slope in slopes {
         let inputs = (D::NAME, single, slope);
         let m = [-slope[0], -slope[1], 1.0];
         let got = narrow.slope_pdf(slope);
@@ -74,9 +100,7 @@ fn densities<D: Known>(source: &mut Source) -> TestCaseResult {
             agrees(got, wide.slope_pdf(slope.map(f64::from)), budget::<D>(), &inputs)?;
         }
     }
-    let z = 1.0 / (1.0 + close[0] * close[0] + close[1] * close[1]).sqrt();
-    let normal = [-close[0] * z, -close[1] * z, z];
-    for m in [normal, source.direction()].map(|m| m.map(|x| x as f32)) {
+    for m in normals {
         let inputs = (D::NAME, single, m);
         let got = narrow.d(m);
         ensure(got.is_finite() && got >= 0.0, "finite and not negative", &(inputs, got))?;
@@ -89,15 +113,15 @@ fn densities<D: Known>(source: &mut Source) -> TestCaseResult {
 }
 
 #[test]
-fn densities_agree() {
+fn densities_of_exact_entries_agree() {
     check(100_000, densities::<GgxDistribution>);
     check(100_000, densities::<BeckmannDistribution>);
 }
 
 fn areas<D: Known>(source: &mut Source) -> TestCaseResult {
     let input = source.lobe();
-    let (single, double) = both(&input);
-    let (narrow, wide) = (Ndf::<D, _>::new(single.shape()), Ndf::<D, _>::new(double.shape()));
+    let (single, double) = exact(&input);
+    let (narrow, wide) = (Ndf::<D, _>::new(single), Ndf::<D, _>::new(double));
     let up = source.direction().map(|x| x as f32);
     for w in [up, up.map(|x| -x)] {
         let exact = w.map(f64::from);
@@ -119,24 +143,19 @@ fn areas<D: Known>(source: &mut Source) -> TestCaseResult {
 }
 
 #[test]
-fn areas_and_masking_agree() {
+fn areas_and_masking_of_exact_entries_agree() {
     check(100_000, areas::<GgxDistribution>);
     check(100_000, areas::<BeckmannDistribution>);
 }
 
 fn brdfs<D: Known>(source: &mut Source) -> TestCaseResult {
     let input = source.lobe();
-    let (single, double) = both(&input);
-    let (narrow, wide) = (Ndf::<D, _>::new(single.shape()), Ndf::<D, _>::new(double.shape()));
-    let pair = source.pair();
-    // Also a light in the mirror direction about a normal of the lobe.
-    let slope = source.slope_near(&input);
-    let m = [-slope[0], -slope[1], 1.0];
-    let [wo, wi] = pair;
-    let twice = 2.0 * (wo[0] * m[0] + wo[1] * m[1] + wo[2]) / (m[0] * m[0] + m[1] * m[1] + 1.0);
-    let mirrored = [0, 1, 2].map(|k| twice * m[k] - wo[k]);
+    let (single, double) = exact(&input);
+    let (narrow, wide) = (Ndf::<D, _>::new(single), Ndf::<D, _>::new(double));
+    let [wo, wi] = source.pair();
+    let lights = [wi, mirrored(source, &input, wo)];
     let wo = wo.map(|x| x as f32);
-    for wi in [wi, mirrored].map(|w| w.map(|x| x as f32)) {
+    for wi in lights.map(|w| w.map(|x| x as f32)) {
         let inputs = (D::NAME, single, wo, wi);
         let got = narrow.brdf(wo, wi);
         ensure(got.is_finite() && got >= 0.0, "finite and not negative", &(inputs, got))?;
@@ -150,7 +169,7 @@ fn brdfs<D: Known>(source: &mut Source) -> TestCaseResult {
 }
 
 #[test]
-fn brdfs_agree() {
+fn brdfs_of_exact_entries_agree() {
     check(100_000, brdfs::<GgxDistribution>);
     check(100_000, brdfs::<BeckmannDistribution>);
 }
@@ -315,8 +334,7 @@ fn brdf_over_agrees(source: &mut Source) -> TestCaseResult {
     agrees(got, exact.brdf_over(o, i, &wide), relative + rough, &inputs)?;
     // A footprint without extent is no footprint.
     let point = Footprint::rectangle([0.0, 0.0]);
-    let point = ggx.brdf_over(wo, wi, &point);
-    agrees(point, f64::from(ggx.brdf(wo, wi)), GGX_BUDGET + rough, &inputs)
+    agrees(ggx.brdf_over(wo, wi, &point), exact.brdf(o, i), GGX_BUDGET + rough, &inputs)
 }
 
 #[test]

@@ -3,6 +3,7 @@
 #![cfg(feature = "published")]
 
 use crate::common::arbitrary::Source;
+use crate::common::reference::same_factor;
 use crate::common::{ULP_SINGLE, check, ensure, near};
 use core::f64::consts::PI;
 use core::fmt::Debug;
@@ -39,12 +40,19 @@ fn proxies_fall_as_the_kernel_grows() {
     });
 }
 
+/// How far the roundings of a footprint's sides move its area.
+fn moved<R: Real>(footprint: &Footprint<R>) -> f64 {
+    let (u, v) = (footprint.u.map(R::to_f64), footprint.v.map(R::to_f64));
+    2.0 * R::EPSILON.to_f64() * ((u[0] * v[1]).abs() + (u[1] * v[0]).abs())
+}
+
 fn ends<R: Real>(source: &mut Source) -> TestCaseResult {
     let input = source.ellipse();
     let (base, none) = (input.roughness::<R>(), Kernel::<R>::default());
     let point = Footprint::default();
     let left = [base.peak_matched(&none), base.peak_fitted(&none), base.peak_matched_over(&point)];
-    ensure(left.iter().all(|after| *after == base), "no kernel leaves A", &(input, left))?;
+    let stays = |after: &Roughness<R>| same_factor(&after.matrix(), &base.matrix(), 8.0);
+    ensure(left.iter().all(stays), "no kernel leaves A", &(input, left))?;
     // A mirror becomes the kernel.
     let footprint = source.footprint();
     let footprint = Footprint { u: footprint.u.map(R::lit), v: footprint.v.map(R::lit) };
@@ -59,8 +67,10 @@ fn ends<R: Real>(source: &mut Source) -> TestCaseResult {
     }
     // Over an area, its peak is one over the area.
     let over = mirror.peak_matched_over(&footprint).matrix().root_det().to_f64();
-    // A determinant below the smallest number is 0.
-    near(over * PI, area, few * area + 4.0 * R::MIN_POSITIVE.to_f64().sqrt(), &footprint)
+    // A side whose square has no digits counts as 0.
+    let least = 4.0 * (R::MIN_POSITIVE.to_f64() / R::EPSILON.to_f64()).sqrt();
+    let least = least * (1.0 + footprint.diameter().to_f64());
+    near(over * PI, area, few * area + moved(&footprint) + least, &footprint)
 }
 
 #[test]
@@ -89,7 +99,7 @@ fn total<R: Real>(source: &mut Source) -> TestCaseResult {
         let ([xx, xy, yy], root_det) = (after.matrix().entries(), after.matrix().root_det());
         let whole = sane(xx) && sane(yy) && sane(root_det) && xy.is_finite();
         ensure(whole, "finite, not negative", &(inputs, after))?;
-        let [a, _, c] = base.matrix().entries();
+        let [a, _, c] = base.matrix().entries().map(|x| x * (R::ONE - R::lit(8.0) * R::EPSILON));
         let grown = xx >= a && yy >= c;
         ensure(grown, "nothing is taken away", &(inputs, after))?;
         ensure(
@@ -140,7 +150,8 @@ fn single_precision_keeps_the_peak() {
             (single.peak_matched_over(&small), double.peak_matched_over(&large), 1e-5),
         ] {
             let want = want.matrix().root_det();
-            near(f64::from(got.matrix().root_det()), want, tolerance * want, &inputs)?;
+            let tolerance = tolerance * want + moved(&small);
+            near(f64::from(got.matrix().root_det()), want, tolerance, &inputs)?;
         }
         Ok(())
     });

@@ -2,6 +2,7 @@
 //! determinant they carry is theirs.
 
 use crate::common::arbitrary::Source;
+use crate::common::backward::backward;
 use crate::common::reference::{eigenvalues, matrix};
 use crate::common::{ULP, check, check_all, ensure, near, near_all};
 use core::fmt::Debug;
@@ -27,15 +28,16 @@ fn is_covariance<R: Real>(m: &Psd<R>, inputs: &dyn Debug) -> TestCaseResult {
     ensure(ordered, "0 <= minor <= major", &(inputs, eigen))
 }
 
-/// A covariance with entries exact in `R`, and those entries.
+/// A covariance with a factor exact in `R`, and the entries of it in f64.
 fn draw<R: Real>(source: &mut Source) -> (Psd<R>, [f64; 3]) {
     let m: Psd<R> = source.ellipse().roughness().matrix();
-    (m, doubles(&m))
+    let [l_xx, l_yx, l_yy] = m.cholesky().map(Real::to_f64);
+    (m, [l_xx * l_xx, l_xx * l_yx, l_yx * l_yx + l_yy * l_yy])
 }
 
 /// The determinant of symmetric f64 entries, to f64's rounding of their products.
 fn det(entries: [f64; 3]) -> (f64, f64) {
-    (matrix(entries).determinant(), 4.0 * ULP * entries[0] * entries[2])
+    (matrix(entries).determinant(), 8.0 * ULP * entries[0] * entries[2])
 }
 
 fn sums_and_scalings<R: Real>(source: &mut Source) -> TestCaseResult {
@@ -66,7 +68,7 @@ fn sums_carry_their_determinant() {
 
 /// A lobe under a kernel of rank one or two: what the entries of the sum have lost in f32.
 fn outer_sums<R: Real>(source: &mut Source) -> TestCaseResult {
-    let (a, a_entries) = draw::<R>(source);
+    let (a, _) = draw::<R>(source);
     let vectors = source.kernel().map(|v| v.map(R::lit));
     let [u, v] = vectors.map(|v| v.map(R::to_f64));
     let kernel = Psd::outer_sum(vectors[0], vectors[1]);
@@ -75,24 +77,38 @@ fn outer_sums<R: Real>(source: &mut Source) -> TestCaseResult {
     let few = 32.0 * R::EPSILON.to_f64();
     let size = (u[0].hypot(u[1])) * (v[0].hypot(v[1]));
     let cross = nalgebra::Matrix2::from_columns(&[u.into(), v.into()]).determinant().abs();
-    near(kernel.root_det().to_f64(), cross, few * cross + 4.0 * ULP * size, &inputs)?;
+    // Sides moved by a rounding each.
+    let moved = R::EPSILON.to_f64() * ((u[0] * v[1]).abs() + (u[1] * v[0]).abs());
+    let least = (R::MIN_POSITIVE.to_f64() / R::EPSILON.to_f64()).sqrt()
+        * (u[0].hypot(u[1]) + v[0].hypot(v[1]));
+    let rounding = 2.0 * moved + 4.0 * ULP * size + least;
+    near(kernel.root_det().to_f64(), cross, few * cross + rounding, &inputs)?;
     let widened = a + kernel;
     is_covariance(&widened, &inputs)?;
-    // det(A + u u^T + v v^T) = det A + |L^T J u|^2 + |L^T J v|^2 + cross^2: positive terms alone.
-    let (base, rounding) = det(a_entries);
-    let [xx, xy, yy] = a_entries;
-    let adjugate = |v: [f64; 2]| {
-        let t = xx * v[1] - xy * v[0];
-        (t * t + base * v[0] * v[0]) / xx
-    };
-    let want = base + adjugate(u) + adjugate(v) + cross * cross;
-    // The kernel's rounded entries, if it lies along a thin lobe, tilt it by an ulp; and f64's
-    // rounding.
-    let eps = R::EPSILON.to_f64();
-    let reach = kernel.trace().to_f64();
-    let tilt = few * eps * (xx + yy) * reach + 8.0 * few * (want * (base + cross * cross)).sqrt();
-    let slack = rounding + 16.0 * ULP * (size * size + (xx + yy) * reach);
-    near(widened.det().to_f64(), want, few * want + tilt + slack, &inputs)
+    let numbers = [&a.cholesky().map(R::to_f64)[..], &u, &v].concat();
+    let got = widened.root_det().to_f64();
+    if R::SINGLE {
+        let limits = [R::EPSILON.to_f64(), least, f64::INFINITY];
+        return backward(got, &root_det_of_sum, &numbers, limits, &inputs);
+    }
+    // f64 by its own formula: a few roundings of the terms' factors.
+    let want = root_det_of_sum(&numbers);
+    let [l_xx, l_yx, l_yy] = a.cholesky().map(R::to_f64);
+    let length = |w: [f64; 2]| w[0].hypot(w[1]);
+    let rows = (l_xx.hypot(u[0]).hypot(v[0])) * (l_yx.hypot(l_yy).hypot(length([u[1], v[1]])));
+    near(got, want, few * (want + rows) + least, &inputs)
+}
+
+/// $\sqrt{\det (L L^T + u u^T + v v^T)}$ of the factor's three entries, u and v, by Cauchy-Binet.
+fn root_det_of_sum(x: &[f64]) -> f64 {
+    let columns = [[x[0], x[1]], [0.0, x[2]], [x[3], x[4]], [x[5], x[6]]];
+    let mut det = 0.0;
+    for (k, a) in columns.iter().enumerate() {
+        for b in &columns[..k] {
+            det += (a[0] * b[1] - a[1] * b[0]).powi(2);
+        }
+    }
+    det.sqrt()
 }
 
 #[test]
@@ -138,7 +154,7 @@ fn merges<R: Real>(source: &mut Source) -> TestCaseResult {
     near_all(&doubles(&other.covariance()), &want, tolerance, &inputs)?;
     let itself = one.merged(weights[0], &one, weights[1]).expect("a weight above 0");
     let (got, want) = (doubles(&itself.covariance()), doubles(&one.covariance()));
-    near_all(&got, &want, 4.0 * eps * (want[0] + want[2]), &inputs)
+    near_all(&got, &want, 8.0 * eps * (want[0] + want[2]), &inputs)
 }
 
 #[test]
@@ -211,6 +227,9 @@ fn decomposes<R: Real>(source: &mut Source) -> TestCaseResult {
     let exact = nalgebra::Vector2::from(w.map(R::to_f64));
     let want = (exact.transpose() * matrix(entries) * exact).x;
     let rounding = 8.0 * ULP * trace * exact.norm_squared();
+    // The factor's first column moved by a rounding each.
+    let moved = few * ((l11 * exact.x).abs() + (l21 * exact.y).abs());
+    let rounding = rounding + moved * (2.0 * want.sqrt() + moved);
     near(m.quadratic(w).to_f64(), want, few * want + rounding, &inputs)?;
     let limit = R::lit(source.log_uniform(1e-8, 1e3));
     let capped = m.capped(limit);

@@ -98,17 +98,18 @@ fn what_constructors_refuse_is_refused_by_name() {
     }
     refused::<Isotropic<f32>>(r#"{"alpha": -1}"#, "alpha = -1 is not in [0, 1e9]");
     refused::<PixelFilter>("-0.5", "variance = -0.5 is not in [0, 1e9]");
-    let flat = r#"{"entries": [1, 2, 1], "root_det": 0}"#;
-    refused::<Psd<f64>>(flat, "matrix [[1, 2], [2, 1]] is not positive semi-definite");
-    refused::<Psd<f64>>(r#"{"entries": [4, 0, 4], "root_det": 3}"#, "root_det = 3 is not the root");
-    refused::<Psd<f32>>(
-        r#"{"entries": [4, 0, 4], "root_det": -4}"#,
-        "root_det = -4 is not the root",
-    );
-    let none = r#"{"entries": [0, 0, 0], "root_det": 1e-19}"#;
-    refused::<Psd<f32>>(none, "root_det = 1e-19 is not the root of the determinant of [[0, 0], [0");
-    let small = r#"{"entries": [1e-30, 0, 1e-30], "root_det": 1e-19}"#;
-    refused::<Psd<f32>>(small, "root_det = 1e-19 is not the root");
+    let indefinite = r#"{"entries": [1, 2, 1]}"#;
+    refused::<Psd<f64>>(indefinite, "matrix [[1, 2], [2, 1]] is not positive semi-definite");
+    let negative = r#"{"cholesky": [1, 2, -1]}"#;
+    refused::<Psd<f64>>(negative, "[[1, 0], [2, -1]] is not a Cholesky factor in range");
+    let slanted = r#"{"cholesky": [0, 2, 1]}"#;
+    refused::<Psd<f64>>(slanted, "[[0, 0], [2, 1]] is not a Cholesky factor in range");
+    let both = r#"{"entries": [1, 0, 1], "cholesky": [1, 0, 1]}"#;
+    refused::<Psd<f32>>(both, "a matrix takes one of the fields `entries` and `cholesky`");
+    refused::<Psd<f32>>("{}", "a matrix takes one of the fields `entries` and `cholesky`");
+    let far = r#"{"columns": [[1, 2], [3, 2e9]]}"#;
+    refused::<Kernel<f32>>(far, "column (3, 2e9) is not in [-1e9, 1e9]");
+    refused::<Kernel<f32>>("{}", "a kernel takes one of the fields `covariance` and `columns`");
     refused::<Footprint<f32>>(r#"{"u": [1, 2], "v": [3, 4], "w": 5}"#, "unknown field `w`");
     // Written by hand, the determinant is that of the entries.
     let by_hand: Psd<f64> = serde_json::from_str(r#"{"entries": [4, 1, 4]}"#).expect("a matrix");
@@ -117,7 +118,7 @@ fn what_constructors_refuse_is_refused_by_name() {
         {"matrix": {"entries": [1, 0, 1]}}}, "fresnel": {"schlick": [1, 1, 1]}}"#;
     assert!(serde_json::from_str::<Material<BeckmannDistribution, f32>>(beckmann).is_ok());
     refused::<Material<GgxDistribution, f32>>(beckmann, "distribution is not ggx");
-    let far = r#"{"mean": [2e9, 0], "covariance": {"entries": [0, 0, 0], "root_det": 0}}"#;
+    let far = r#"{"mean": [2e9, 0], "covariance": {"entries": [0, 0, 0]}}"#;
     refused::<SlopeMoments<f32>>(far, "mean = 2e9 is not in [-1e9, 1e9]");
     let other = r#"{"alpha": 1, "beta": 2}"#;
     refused::<Isotropic<f32>>(other, "unknown field `beta`, expected `alpha`");

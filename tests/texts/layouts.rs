@@ -33,17 +33,14 @@ macro_rules! layouts {
 #[test]
 fn structures_lie_as_the_port_has_them() {
     let layouts: Vec<Layout> = layouts! {
-        "LobePsd" Psd { entries "xx", root_det "root_det" }
-        "LobeRoughness" Psd { entries "psd" }
-        "LobeKernel" Psd { entries "covariance" }
-        "LobeDiskKernel" Psd { entries "as_slopes" }
+        "LobePsd" Psd { l_xx "l_xx", l_yx "l_yx", l_yy "l_yy" }
+        "LobeRoughness" Psd { l_xx "psd" }
+        "LobeKernel" Columns { u "u", v "v" }
+        "LobeDiskKernel" Columns { u "as_slopes" }
         "LobeFootprint" Footprint { u "u", v "v" }
         "LobeSlopeMoments" SlopeMoments { mean "mean", covariance "covariance" }
         "LobeLobe" Lobe { mean "mean", roughness "roughness" }
-        "LobeAnisotropic" Anisotropic {
-            xx "xx", xy "xy", root_det "root_det", inverse_xx "inverse_xx", along "along",
-            across "across", schur "schur"
-        }
+        "LobeAnisotropic" Anisotropic { factor "factor", root_det "root_det" }
         "LobeSphericalGaussian" SphericalGaussian {
             direction "direction", sharpness "sharpness"
         }
@@ -78,9 +75,7 @@ fn structures_lie_as_the_port_has_them() {
             let offset = member.unwrap_or_else(|| panic!("{name}.{field}")).offset;
             assert_eq!(*place, offset as usize, "{name}.{field}");
         }
-        // Of a matrix the entries are one array.
-        let all = members.len() == fields.len() || name == "LobePsd";
-        assert!(all, "{name} has {} members", members.len());
+        assert_eq!(members.len(), fields.len(), "the members of {name}");
     }
 }
 
@@ -91,22 +86,21 @@ fn floats<T: bytemuck::Pod>(value: T) -> Vec<f32> {
 
 #[test]
 fn every_number_lies_in_its_own_place() {
-    let psd = Psd::new(4.0_f32, 1.0, 2.0).expect("a matrix");
-    let root = psd.root_det();
-    assert_eq!(floats(gpu::Psd::from(psd)), [4.0, 1.0, 2.0, root]);
-    assert_eq!(floats(gpu::Psd::from(Kernel::from_covariance(psd))), [4.0, 1.0, 2.0, root]);
-    assert_eq!(floats(gpu::Psd::from(DiskKernel::from_covariance(psd))), [4.0, 1.0, 2.0, root]);
+    let psd = Psd::from_cholesky([4.0_f32, 1.0, 2.0]).expect("a factor");
+    assert_eq!(floats(gpu::Psd::from(psd)), [4.0, 1.0, 2.0]);
+    let columns = [4.0, 1.0, 0.0, 2.0];
+    assert_eq!(floats(gpu::Columns::from(Kernel::from_covariance(psd))), columns);
+    assert_eq!(floats(gpu::Columns::from(DiskKernel::from_covariance(psd))), columns);
     let footprint = Footprint::from_slopes([1.0, 2.0], [3.0, 4.0]);
     assert_eq!(floats(gpu::Footprint::from(footprint)), [1.0, 2.0, 3.0, 4.0]);
     let moments = SlopeMoments::new([5.0, 6.0], psd).expect("in range");
-    let want = [5.0, 6.0, 4.0, 1.0, 2.0, root];
+    let want = [5.0, 6.0, 4.0, 1.0, 2.0, 0.0];
     assert_eq!(floats(gpu::SlopeMoments::from(moments)), want);
     let lobe = Lobe::new([5.0, 6.0], Roughness::from_matrix(psd)).expect("in range");
     assert_eq!(floats(gpu::Lobe::from(lobe)), want);
     let shape = floats(gpu::Anisotropic::from(Anisotropic::new(lobe.roughness())));
-    let along = root * 0.25;
-    assert_eq!(shape, [4.0, 1.0, root, 0.25, along, 4.0 / root, root * along]);
-    assert_eq!(floats(gpu::NonCentered::from(lobe)), [&shape[..], &[0.0, 5.0, 6.0]].concat());
+    assert_eq!(shape, [4.0, 1.0, 2.0, 8.0]);
+    assert_eq!(floats(gpu::NonCentered::from(lobe)), [&shape[..], &[5.0, 6.0]].concat());
     let vertex = |x: f32| Vertex { direction: [x, x + 1.0, x + 2.0], inverse_distance: x + 3.0 };
     let path = Path { eye: vertex(1.0), light: vertex(5.0), curvature: [9.0, 10.0, 11.0] };
     let counted: Vec<f32> = (1..12_u8).map(f32::from).chain([0.0]).collect();
@@ -128,17 +122,17 @@ fn every_number_of_glints_lies_in_its_own_place() {
     let glints = Glints::new(biscale, 8.0).and_then(|glints| glints.with_variation(3.0));
     let glints = glints.and_then(|glints| glints.with_share(0.5)).expect("in range").with_seed(9);
     let words = floats(gpu::Glints::from(glints));
-    let halves = [4.0, 0.0, 4.0, 4.0, 1.0, 0.0, 4.0, 2.0];
-    assert_eq!(words[..14], [&halves[..], &[8.0, 3.0, 0.5, 0.0, 1.0, 1.0]].concat());
-    assert_eq!([words[14].to_bits(), words[15].to_bits()], [0, 9]);
+    let halves = [2.0, 0.0, 2.0, 1.0, 0.0, 2.0];
+    assert_eq!(words[..12], [&halves[..], &[8.0, 3.0, 0.5, 0.0, 1.0, 1.0]].concat());
+    assert_eq!([words[12].to_bits(), words[13].to_bits()], [0, 9]);
     let along_v = Biscale::from_fractions([0.5_f32, 0.5], [0.5, 1.0]).expect("in range");
     let grooves = gpu::Glints::from(Glints::new(along_v, 8.0).expect("in range"));
     assert_eq!((grooves.stretch, grooves.groove), ([1.0, 0.0], 2));
     let facets = MultiLobe::new(Roughness::from_matrix(root(4.0)), 8.0).expect("in range");
     let facets = facets.with_variation(3.0).and_then(|facets| facets.with_share(0.5));
     let words = floats(gpu::MultiLobe::from(facets.expect("in range").with_seed(9)));
-    assert_eq!(words[..7], [4.0, 0.0, 4.0, 4.0, 8.0, 3.0, 0.5]);
-    assert_eq!(words[7].to_bits(), 9);
+    assert_eq!(words[..6], [2.0, 0.0, 2.0, 8.0, 3.0, 0.5]);
+    assert_eq!(words[6].to_bits(), 9);
     let patch = Patch::in_tile([-1, 2], [1.0_f32, 2.0], [3.0, 4.0], [5.0, 6.0]);
     let patch = gpu::Patch::from(patch);
     assert_eq!(patch.tile, [-1, 2]);

@@ -28,7 +28,9 @@ fn rust_text(path: &str) -> Option<String> {
 fn homes(path: &str) -> Vec<&str> {
     match path {
         "ndf/ggx" | "ndf/beckmann" => vec![path, "ndf/distribution", "ndf/masking"],
-        "slope/anisotropic" | "slope/non_centered" => vec![path, "slope/shape"],
+        "slope/anisotropic" | "slope/non_centered" | "slope/widened" => {
+            vec![path, "slope/shape", "slope/whiten"]
+        }
         _ if path.starts_with("scalar/") => vec![path, "scalar/real"],
         _ => vec![path],
     }

@@ -5,12 +5,12 @@
 use super::secant::secant_ratio;
 use super::strip::Whitened;
 use crate::filter::groove;
-use crate::ndf::{Distribution, GgxDistribution, Ndf};
+use crate::ndf::{GgxDistribution, Ndf};
 use crate::scalar::exact::{two_product, two_sum};
 use crate::scalar::{Internal, Real};
-use crate::slope::{Footprint, LobeShape};
+use crate::slope::{Footprint, Whiten};
 
-impl<S: LobeShape> Ndf<GgxDistribution, S> {
+impl<S: Whiten> Ndf<GgxDistribution, S> {
     /// The BRDF with D averaged over a footprint around the half vector's slope; masking and
     /// shadowing unfiltered.
     ///
@@ -69,9 +69,6 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
             (slope, (-(g + product).kept() - error - g_low - slope * z_low) / z)
         };
         let ((x, x_low), (y, y_low)) = (along(0), along(1));
-        let form = self.shape().form([-x, -y, one], [-x_low, -y_low, zero]);
-        let root_det = self.shape().root_det();
-        let pi_point = GgxDistribution::density(form, root_det, one, one, one);
         let footprint = &footprint.bounded();
         let offset = self.offset_of([x, y], [x_low, y_low]);
         let whitened = Whitened::new(self.shape(), offset.0, offset.1, footprint);
@@ -80,6 +77,8 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
             return if z > zero { self.groove_over(wo, wi, covered) } else { zero };
         }
         let mean = self.mean_of(&whitened, offset, footprint);
+        let q = whitened.midpoint_squared();
+        let pi_point = one / (self.shape().root_det() * (one + q) * (one + q));
         let most = S::Scalar::lit(groove::LARGEST_GAIN) * pi_point;
         if !(pi_point >= S::Scalar::MIN_POSITIVE) || mean * S::Scalar::PI > most {
             // The density at the half vector says nothing about the mean: a footprint that reaches
@@ -88,12 +87,13 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
             let reached = z > zero && seen.mean > zero;
             return if reached { self.groove_over(wo, wi, seen).max(brdf) } else { brdf };
         }
+        if !(z > zero) {
+            return zero;
+        }
         let ratio = (mean * S::Scalar::PI / pi_point).sqrt();
         let groove = || self.groove_place(offset, footprint);
-        let secant = secant_ratio([x, y], form / root_det, ratio, footprint, &whitened, groove);
-        let factor = ratio * secant;
-        // `max` drops NaN: of a NaN footprint, or of 0 times infinity.
-        ((brdf * factor).kept() * factor).max(zero).min(S::Scalar::MAX)
+        let secant = secant_ratio([x, y], q, ratio, footprint, &whitened, groove);
+        shaded(mean, self.visibility(wo, wi), (one + x * x + y * y) * secant)
     }
 
     /// [`Ndf::brdf_over`] of a mirror or a groove, for a half vector above the surface: the density
@@ -106,10 +106,7 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
         groove::Covered { mean, place }: groove::Covered<S::Scalar>,
     ) -> S::Scalar {
         let [x, y] = self.at_place(place);
-        let secant2 = S::Scalar::ONE + x * x + y * y;
-        // `max` drops NaN: of 0 times infinity.
-        let filtered = ((mean * self.visibility(wo, wi)).kept() * secant2).kept() * secant2;
-        filtered.max(S::Scalar::ZERO).min(S::Scalar::MAX)
+        shaded(mean, self.visibility(wo, wi), S::Scalar::ONE + x * x + y * y)
     }
 
     /// The slope that the mean comes from, and its q, if the lobe is at least 300 times as long as
@@ -137,4 +134,11 @@ impl<S: LobeShape> Ndf<GgxDistribution, S> {
         let ([a, b], _) = self.shape().offset([S::Scalar::ZERO; 2]);
         [x - a, y - b]
     }
+}
+
+/// The BRDF of a mean density of slopes at normals of this squared secant.
+#[inline(always)]
+fn shaded<R: Real>(mean: R, visibility: R, secant2: R) -> R {
+    // `max` drops NaN: of a NaN footprint, or of 0 times infinity.
+    (((mean * visibility).kept() * secant2).kept() * secant2).max(R::ZERO).min(R::MAX)
 }

@@ -6,7 +6,7 @@
 use super::strip::{Whitened, dot, nearness};
 use crate::scalar::Real;
 use crate::scalar::exact::{cross, difference_of_products, two_sum};
-use crate::slope::{Footprint, Isotropic, LobeShape};
+use crate::slope::{Footprint, Isotropic, Whiten};
 
 /// A parallelogram in the frame (t, n) of its longer side: sides (length, 0) and (shear, height),
 /// with `0 <= shear <= length` and `height >= 0`; and its corners.
@@ -50,7 +50,7 @@ impl<R: Real> Frame<R> {
     /// footprint of a thousand lobes by a thousandth has its height and its distances in all
     /// digits.
     #[inline(never)]
-    pub(super) fn exact<S: LobeShape<Scalar = R>>(
+    pub(super) fn exact<S: Whiten<Scalar = R>>(
         w: &Whitened<R>,
         shape: &S,
         offset: [R; 2],
@@ -61,7 +61,7 @@ impl<R: Real> Frame<R> {
     }
 
     #[inline(always)]
-    fn new<S: LobeShape<Scalar = R>, const EXACT: bool>(
+    fn new<S: Whiten<Scalar = R>, const EXACT: bool>(
         w: &Whitened<R>,
         shape: &S,
         offset: [R; 2],

@@ -7,7 +7,7 @@ use super::segment::{near_mean, uniform_mean};
 use crate::scalar::Real;
 use crate::scalar::exact::{cross, two_sum};
 use crate::scalar::quadrature::{GAUSS_EIGHT, GAUSS_FOUR, Rule};
-use crate::slope::{Footprint, LobeShape};
+use crate::slope::{Footprint, Whiten};
 
 /// Length in distances up to which whitened coordinates keep five digits in f32.
 const LONG: f64 = 32.0;
@@ -27,7 +27,7 @@ pub(super) fn dot<R: Real>(a: [R; 2], b: [R; 2]) -> R {
 
 impl<R: Real> Whitened<R> {
     #[inline(always)]
-    pub(super) fn new<S: LobeShape<Scalar = R>>(
+    pub(super) fn new<S: Whiten<Scalar = R>>(
         shape: &S,
         offset: [R; 2],
         low: [R; 2],
@@ -117,7 +117,7 @@ impl<R: Real> Strip<R> {
     ///
     /// See [`Frame::exact`](super::frame::Frame::exact).
     #[inline(never)]
-    pub(super) fn sharpened_mean<S: LobeShape<Scalar = R>>(
+    pub(super) fn sharpened_mean<S: Whiten<Scalar = R>>(
         mut self,
         w: &Whitened<R>,
         shape: &S,

@@ -27,7 +27,7 @@ use crate::ndf::{GgxDistribution, Ndf};
 use crate::scalar::exact::two_sum;
 use crate::scalar::quadrature::{GAUSS_EIGHT, GAUSS_FOUR, GAUSS_TWO, Rule};
 use crate::scalar::{Internal, Real};
-use crate::slope::{Footprint, LobeShape};
+use crate::slope::{Footprint, Whiten};
 
 /// Squared ratio of a side to the distance of the nearest pole, below which a rule of N nodes
 /// serves.
@@ -65,7 +65,7 @@ fn general_mean<R: Real>(frame: &Frame<R>) -> R {
     }
 }
 
-impl<S: LobeShape> Ndf<GgxDistribution, S> {
+impl<S: Whiten> Ndf<GgxDistribution, S> {
     /// Mean of $P_{22}$ over the parallelogram `slope +- u/2 +- v/2` of a footprint: exact.
     ///
     /// The mass over a polygon is, whitened ($w = L^{-1}(s - \mu)$), a sum over its edges:

@@ -143,8 +143,8 @@ impl<R: Real> GlintNdf<R> {
         let side = R::PI.sqrt();
         match self.groove {
             Groove::None => {
-                let form = shape.form(h, [R::ZERO; 3]);
-                let exponent = form / (shape.root_det() * h[2] * h[2]).max(least);
+                let form = shape.form(h);
+                let exponent = form / (shape.extent().unit * h[2] * h[2]).max(least);
                 let peaks = (local.root_det() / global.root_det().max(least)).min(one);
                 let per_bin = R::TWO / ((one + h[2]) * side);
                 let x = h[0] * per_bin / l11.max(least);

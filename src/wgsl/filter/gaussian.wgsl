@@ -2,7 +2,14 @@
 
 // Rust: `Roughness::widened`.
 fn lobe_roughness_widened(roughness: LobeRoughness, kernel: LobeKernel) -> LobeRoughness {
-    return lobe_roughness_add(roughness, lobe_roughness_from_covariance(kernel.covariance));
+    let added = lobe_kernel_added(kernel);
+    return LobeRoughness(lobe_psd_with_columns(roughness.psd, added.u, added.v));
+}
+
+// Rust: `Kernel::widen`, of an isotropic shape.
+fn lobe_kernel_widen(kernel: LobeKernel, shape: LobeIsotropic) -> LobeWidened {
+    let added = lobe_kernel_added(kernel);
+    return LobeWidened(shape, added.u, added.v);
 }
 
 // Rust: `Lobe::widened`.
@@ -26,32 +33,18 @@ fn lobe_gaussian_exponent(terms: LobeGaussianTerms, t: f32) -> f32 {
         / ((terms.base_det / t + terms.mixed) / t + terms.added_det);
 }
 
-// WGSL only: Rust has it as a closure.
-fn lobe_gaussian_adjugate_form(psd: LobePsd, d: vec2f, d_low: vec2f) -> f32 {
-    if lobe_psd_is_singular(psd) {
-        let u = select(
-            psd.xy * d.y - psd.yy * d.x, psd.xx * d.y - psd.xy * d.x, psd.xx >= psd.yy
-        );
-        let scale = lobe_max(psd.xx, psd.yy);
-        return select(0.0, u * (u / scale), scale > 0.0);
-    }
-    let anisotropic = lobe_anisotropic_new(LobeRoughness(psd));
-    return anisotropic.root_det
-        * lobe_anisotropic_form(anisotropic, vec3f(d, 0.0), vec3f(d_low, 0.0));
-}
-
 // Rust: `ggx_gaussian_mean`. 0 for a slope that is infinite or NaN.
 fn lobe_ggx_gaussian_mean(lobe: LobeLobe, slope: vec2f, kernel: LobeKernel) -> f32 {
     let base = lobe.roughness.psd;
-    let added = lobe_psd_mul(kernel.covariance, 2.0);
+    let columns = lobe_kernel_added(kernel);
+    let added = lobe_psd_outer_sum(columns.u, columns.v);
     let known = lobe_is_finite(slope.x) && lobe_is_finite(slope.y);
     if !known || lobe_psd_is_singular(lobe_psd_add(base, added)) {
         return 0.0;
     }
-    let offset = lobe_non_centered_offset(lobe_lobe_shape(lobe), slope);
+    let offset = vec2f(slope.x - lobe.mean.x, slope.y - lobe.mean.y);
     let terms = LobeGaussianTerms(
-        lobe_gaussian_adjugate_form(base, offset.xy, offset.zw),
-        lobe_gaussian_adjugate_form(added, offset.xy, offset.zw),
+        lobe_psd_adjugate_form(base, offset), lobe_psd_adjugate_form(added, offset),
         lobe_psd_det(base), lobe_psd_mixed_det(base, added), lobe_psd_det(added)
     );
     let step = 0.4375;

@@ -57,7 +57,7 @@ fn lobe_spherical_gaussian_disk_kernel(light: LobeSphericalGaussian, wo: vec3f) 
     if g.z > 0.0 && lobe_footprint_is_known(g) {
         return lobe_disk_kernel_of(u, v, lobe_spherical_gaussian_spread(light));
     }
-    return lobe_disk_kernel_from_covariance(LobePsd(0.0, 0.0, 0.0, 0.0));
+    return lobe_disk_kernel_from_covariance(LobePsd(0.0, 0.0, 0.0));
 }
 
 // Rust: `SphericalGaussian::footprint`.

@@ -1,45 +1,10 @@
-// Kernels on the projected disk, and GGX widened there. Rust: src/filter/projected.rs.
-
-// Rust: `DiskKernel`.
-struct LobeDiskKernel {
-    as_slopes: LobeKernel,
-}
-
-// Rust: `DiskKernel::of`, with a filter's variance.
-fn lobe_disk_kernel_of(u: vec2f, v: vec2f, variance: f32) -> LobeDiskKernel {
-    return LobeDiskKernel(lobe_kernel_of(LobeFootprint(u, v), variance));
-}
-
-// Rust: `DiskKernel::of_bounding`, with a filter's variance.
-fn lobe_disk_kernel_of_bounding(u: vec2f, v: vec2f, variance: f32) -> LobeDiskKernel {
-    return LobeDiskKernel(lobe_kernel_of(lobe_footprint_bounding(LobeFootprint(u, v)), variance));
-}
-
-// Rust: `DiskKernel::from_covariance`.
-fn lobe_disk_kernel_from_covariance(covariance: LobePsd) -> LobeDiskKernel {
-    return LobeDiskKernel(LobeKernel(covariance));
-}
-
-// Rust: `DiskKernel::capped`.
-fn lobe_disk_kernel_capped(kernel: LobeDiskKernel, limit: f32) -> LobeDiskKernel {
-    return LobeDiskKernel(lobe_kernel_capped(kernel.as_slopes, limit));
-}
-
-// Rust: `DiskKernel::add`.
-fn lobe_disk_kernel_add(kernel: LobeDiskKernel, other: LobeDiskKernel) -> LobeDiskKernel {
-    return LobeDiskKernel(lobe_kernel_add(kernel.as_slopes, other.as_slopes));
-}
-
-// Rust: `Kernel::tokuyoshi_forward`.
-fn lobe_kernel_tokuyoshi_forward(u: vec2f, v: vec2f) -> LobeKernel {
-    return lobe_kernel_of(LobeFootprint(u, v), LOBE_PIXEL_FILTER_KAPLANYAN);
-}
+// GGX widened on the projected disk. Rust: src/filter/projected.rs.
 
 // Rust: `Roughness::widened_on_disk`.
 fn lobe_roughness_widened_on_disk(
     roughness: LobeRoughness, kernel: LobeDiskKernel
 ) -> LobeRoughness {
-    let added = lobe_projected_bounded(lobe_psd_mul(kernel.as_slopes.covariance, 2.0));
+    let added = lobe_kernel_added(kernel.as_slopes);
     let psd = roughness.psd;
     let complement = 1.0 - lobe_psd_trace(psd) + lobe_psd_det(psd);
     if lobe_psd_trace(psd) < 2.0 && complement >= 0.125 {
@@ -47,18 +12,41 @@ fn lobe_roughness_widened_on_disk(
     }
     let eigen = lobe_psd_eigen(psd);
     if eigen.major < 1.0 {
+        let bounded = lobe_projected_bounded(added);
         return LobeRoughness(
-            lobe_projected_from_disk(lobe_psd_add(lobe_projected_to_disk(eigen), added))
+            lobe_projected_from_disk(
+                lobe_psd_with_columns(lobe_projected_to_disk(eigen), bounded.u, bounded.v)
+            )
         );
     }
     if !(eigen.minor < 1.0) {
         return roughness;
     }
     let turn = eigen.axis;
+    let along_u = turn.x * added.u.y - turn.y * added.u.x;
+    let along_v = turn.x * added.v.y - turn.y * added.v.x;
     let across = lobe_projected_filtered_square(
-        eigen.minor, lobe_psd_quadratic(added, vec2f(-turn.y, turn.x))
+        eigen.minor, along_u * along_u + along_v * along_v
     );
     return LobeRoughness(lobe_psd_from_axes(sqrt(eigen.major), sqrt(across), turn.x, turn.y));
+}
+
+// Rust: `DiskKernel::widen`.
+fn lobe_disk_kernel_widen(kernel: LobeDiskKernel, shape: LobeIsotropic) -> LobeWidened {
+    let added = lobe_kernel_added(kernel.as_slopes);
+    let u = added.u;
+    let v = added.v;
+    let square = shape.alpha * shape.alpha;
+    let rest = lobe_max(1.0 - square, 0.0);
+    let trace = u.x * u.x + u.y * u.y + (v.x * v.x + v.y * v.y);
+    let cross = rest * (u.x * v.y - u.y * v.x);
+    let det = cross * cross;
+    let root = sqrt(1.0 / (1.0 + rest * trace + det));
+    let alpha = sqrt(square + square * rest * trace + det) * root;
+    let scale = rest * root;
+    return LobeWidened(
+        lobe_isotropic_new(alpha), vec2f(u.x * scale, u.y * scale), vec2f(v.x * scale, v.y * scale)
+    );
 }
 
 // Rust: `projected_alpha`. Numbers beyond [0, 1e9] count as the nearest, NaN as 0.
@@ -77,17 +65,26 @@ fn lobe_projected_filtered_square(square: f32, added: f32) -> f32 {
 }
 
 // Rust: `filtered`.
-fn lobe_projected_filtered(psd: LobePsd, added: LobePsd, complement: f32) -> LobePsd {
-    let det = lobe_psd_det(psd);
-    let spread = lobe_max(lobe_psd_mixed_det(psd, added) - det * lobe_psd_trace(added), 0.0);
-    let both = spread + complement * lobe_psd_det(added);
-    let inverse = 1.0 / (1.0 + complement * lobe_psd_trace(added) + both);
-    return LobePsd(
-        (psd.xx + complement * added.xx + both) * inverse,
-        (psd.xy + complement * added.xy) * inverse,
-        (psd.yy + complement * added.yy + both) * inverse,
-        sqrt((det + both) * inverse)
+fn lobe_projected_filtered(psd: LobePsd, added: LobeKernel, complement: f32) -> LobePsd {
+    let root = sqrt(complement);
+    let u = vec2f(added.u.x * root, added.u.y * root);
+    let v = vec2f(added.v.x * root, added.v.y * root);
+    let mixed = lobe_psd_adjugate_form(psd, added.u) + lobe_psd_adjugate_form(psd, added.v);
+    let squares = lobe_projected_squares(added.u) + lobe_projected_squares(added.v);
+    let spread = lobe_max(mixed - lobe_psd_det(psd) * squares, 0.0);
+    let cross = root * (added.u.x * added.v.y - added.u.y * added.v.x);
+    let both = spread + cross * cross;
+    let inverse = 1.0 / (1.0 + lobe_projected_squares(u) + lobe_projected_squares(v) + both);
+    let side = sqrt(both);
+    return lobe_psd_mul(
+        lobe_psd_with_columns(lobe_psd_with_columns(psd, u, v), vec2f(side, 0.0), vec2f(0.0, side)),
+        inverse
     );
+}
+
+// WGSL only: Rust has it as a closure.
+fn lobe_projected_squares(v: vec2f) -> f32 {
+    return v.x * v.x + v.y * v.y;
 }
 
 // Rust: `to_disk`.
@@ -96,27 +93,30 @@ fn lobe_projected_to_disk(eigen: LobeEigen) -> LobePsd {
     let q = eigen.minor / (1.0 - eigen.minor);
     let cosine = eigen.axis.x;
     let sine = eigen.axis.y;
-    return LobePsd(
+    let entries = vec3f(
         p * cosine * cosine + q * sine * sine,
         (p - q) * cosine * sine,
-        p * sine * sine + q * cosine * cosine,
-        sqrt(p) * sqrt(q)
+        p * sine * sine + q * cosine * cosine
     );
+    return lobe_psd_with_root_det(entries, sqrt(p) * sqrt(q));
 }
 
 // Rust: `from_disk`.
 fn lobe_projected_from_disk(projected: LobePsd) -> LobePsd {
+    let entries = lobe_psd_entries(projected);
     let det = lobe_psd_det(projected);
-    let inverse = 1.0 / (1.0 + projected.xx + projected.yy + det);
-    return LobePsd(
-        (projected.xx + det) * inverse,
-        projected.xy * inverse,
-        (projected.yy + det) * inverse,
-        projected.root_det * sqrt(inverse)
+    let inverse = 1.0 / (1.0 + entries.x + entries.z + det);
+    return lobe_psd_with_root_det(
+        vec3f((entries.x + det) * inverse, entries.y * inverse, (entries.z + det) * inverse),
+        lobe_psd_root_det(projected) * sqrt(inverse)
     );
 }
 
 // Rust: `bounded`.
-fn lobe_projected_bounded(psd: LobePsd) -> LobePsd {
-    return lobe_psd_mul(psd, LOBE_LARGEST / lobe_max(lobe_psd_trace(psd), LOBE_LARGEST));
+fn lobe_projected_bounded(added: LobeKernel) -> LobeKernel {
+    let u = added.u;
+    let v = added.v;
+    let trace = u.x * u.x + u.y * u.y + v.x * v.x + v.y * v.y;
+    let factor = sqrt(LOBE_LARGEST / lobe_max(trace, LOBE_LARGEST));
+    return LobeKernel(vec2f(u.x * factor, u.y * factor), vec2f(v.x * factor, v.y * factor));
 }

@@ -32,10 +32,10 @@ struct LobeProxy {
 
 // Rust: `Whitened::of`.
 fn lobe_proxy_of(lobe: LobePsd, kernel: LobePsd) -> LobeProxy {
-    let inverse = 1.0 / lobe_max(lobe.root_det, LOBE_MIN_POSITIVE);
+    let inverse = 1.0 / lobe_max(lobe_psd_root_det(lobe), LOBE_MIN_POSITIVE);
     let trace = lobe_kept(lobe_psd_mixed_det(lobe, kernel) * inverse) * inverse;
     return LobeProxy(
-        trace, kernel.root_det * inverse, !lobe_psd_is_singular(lobe) && trace <= 1e18
+        trace, lobe_psd_root_det(kernel) * inverse, !lobe_psd_is_singular(lobe) && trace <= 1e18
     );
 }
 
@@ -45,30 +45,19 @@ fn lobe_proxy_factor(proxy: LobeProxy, r: f32) -> f32 {
     return lobe_proxy_positive_root(proxy.root_det, proxy.trace, excess);
 }
 
-// Rust: `Whitened::fitted_factor`.
-fn lobe_proxy_fitted_factor(proxy: LobeProxy) -> f32 {
-    let kappa = 0.5 * proxy.trace;
+// Rust: `fitted_factor`.
+fn lobe_peak_factor(det: f32, mixed: f32, kernel_det: f32) -> f32 {
+    let whitened = 0.5 * (mixed / lobe_max(det, LOBE_MIN_POSITIVE));
+    let kappa = select(1e18, lobe_min(whitened, 1e18), det >= LOBE_MIN_POSITIVE);
     let s = sqrt(kappa);
     let round = (1.0 + 1.5226 * s) / (1.0 + 1.5377 * s + 2.508 * kappa + 0.22979 * kappa * s);
-    let ratio = lobe_kept(proxy.root_det / lobe_max(kappa, LOBE_MIN_POSITIVE));
-    let line = lobe_max(1.0 - ratio * ratio, 0.0);
-    let minor = 0.5 * proxy.root_det * ratio;
-    let long = lobe_kept(0.2104 * kappa / (1.0 + 0.08939 * s + 0.2104 * kappa));
-    return 1.0 + lobe_kept(round) + lobe_proxy_long_term(minor) * line * long;
-}
-
-// Rust: `long_term`.
-fn lobe_proxy_long_term(minor: f32) -> f32 {
-    // 4/pi, rounded, less 1.
-    let most = f32(1.2732395447351628) - 1.0;
-    return most / (1.0 + 0.2109 * minor);
-}
-
-// Rust: `mirror_factor`.
-fn lobe_proxy_mirror_factor(lobe: LobePsd, kernel: LobePsd) -> f32 {
-    let mixed = lobe_psd_mixed_det(lobe, kernel);
-    let minor = kernel.root_det * (kernel.root_det / lobe_max(mixed, LOBE_MIN_POSITIVE));
-    return select(1.0, 1.0 + lobe_proxy_long_term(minor), mixed > 0.0);
+    let inverse = 1.0 / lobe_max(mixed, LOBE_MIN_POSITIVE);
+    let minor = lobe_min(kernel_det * inverse, LOBE_LARGEST);
+    let line = lobe_max(1.0 - 4.0 * minor * (det * inverse), 0.0);
+    let term = 0.2104 * kappa
+        / ((1.0 + 0.2109 * minor) * (1.0 + 0.08939 * s + 0.2104 * kappa));
+    let long = select(0.0, line * term, mixed > 0.0);
+    return 1.0 + round + 0.27323954473516276 * long;
 }
 
 // Rust: `positive_root`.
@@ -85,25 +74,42 @@ fn lobe_proxy_positive_root(d: f32, m: f32, e: f32) -> f32 {
     return 2.0 * e * (e / lobe_max(sum, LOBE_MIN_POSITIVE));
 }
 
+// WGSL only: the end of `Kernel::peak_columns`, of columns of what the kernel adds.
+fn lobe_peak_columns(added: LobeKernel, det: f32, mixed: f32) -> LobeKernel {
+    let cross = added.u.x * added.v.y - added.u.y * added.v.x;
+    let root = sqrt(lobe_peak_factor(det, mixed, cross * cross));
+    return LobeKernel(
+        vec2f(added.u.x * root, added.u.y * root), vec2f(added.v.x * root, added.v.y * root)
+    );
+}
+
+// Rust: `Kernel::widen_to_peak`, of an isotropic shape.
+fn lobe_kernel_widen_to_peak(kernel: LobeKernel, shape: LobeIsotropic) -> LobeWidened {
+    let added = lobe_kernel_added(kernel);
+    let square = shape.alpha * shape.alpha;
+    let mixed = lobe_isotropic_adjugate_form(shape, added.u)
+        + lobe_isotropic_adjugate_form(shape, added.v);
+    let columns = lobe_peak_columns(added, square * square, mixed);
+    return LobeWidened(shape, columns.u, columns.v);
+}
+
 // Rust: `Roughness::peak_matched`.
 fn lobe_roughness_peak_matched(roughness: LobeRoughness, kernel: LobeKernel) -> LobeRoughness {
     let peak = lobe_ggx_gaussian_mean(lobe_lobe_centered(roughness), vec2f(0.0, 0.0), kernel);
+    let added = lobe_kernel_added(kernel);
     return lobe_roughness_with_peak(
-        roughness, lobe_psd_mul(kernel.covariance, 2.0), peak, 1.0, 2.0
+        roughness, lobe_psd_outer_sum(added.u, added.v), peak, 1.0, 2.0
     );
 }
 
 // Rust: `Roughness::peak_fitted`.
 fn lobe_roughness_peak_fitted(roughness: LobeRoughness, kernel: LobeKernel) -> LobeRoughness {
-    let added = lobe_psd_mul(kernel.covariance, 2.0);
-    let proxy = lobe_proxy_of(roughness.psd, added);
-    var factor = 0.0;
-    if proxy.known {
-        factor = lobe_proxy_fitted_factor(proxy);
-    } else {
-        factor = lobe_proxy_mirror_factor(roughness.psd, added);
-    }
-    return LobeRoughness(lobe_psd_add(roughness.psd, lobe_psd_mul(added, factor)));
+    let added = lobe_kernel_added(kernel);
+    let psd = roughness.psd;
+    let root_det = lobe_anisotropic_new(roughness).root_det;
+    let mixed = lobe_psd_adjugate_form(psd, added.u) + lobe_psd_adjugate_form(psd, added.v);
+    let columns = lobe_peak_columns(added, root_det * root_det, mixed);
+    return LobeRoughness(lobe_psd_with_columns(psd, columns.u, columns.v));
 }
 
 // Rust: `Roughness::peak_matched_over`.
@@ -134,7 +140,7 @@ fn lobe_roughness_with_peak(
         );
     } else {
         factor = lobe_proxy_positive_root(
-            kernel.root_det, lobe_psd_mixed_det(psd, kernel),
+            lobe_psd_root_det(kernel), lobe_psd_mixed_det(psd, kernel),
             1.0 / lobe_max(LOBE_PI * peak, LOBE_MIN_POSITIVE)
         );
     }

@@ -3,15 +3,15 @@
 
 // Rust: `BeckmannDistribution::density`. 0 for NaN.
 fn lobe_beckmann_density(
-    form: f32, root_det: f32, z: f32, length_squared: f32, weight: f32
+    form: f32, extent: LobeExtent, z: f32, length_squared: f32, weight: f32
 ) -> f32 {
     let square = z * z;
     // A mirror's exponent has nothing to divide by.
-    let e = lobe_exp(-0.5 * form / lobe_max(root_det * square, LOBE_MIN_POSITIVE));
+    let e = lobe_exp(-0.5 * form / lobe_max(extent.unit * square, LOBE_MIN_POSITIVE));
     let ratio = length_squared / square;
     let half = e * ratio;
-    let density = half * lobe_kept(half / root_det * weight);
-    return select(0.0, lobe_defined(density), lobe_min(e, root_det) > 0.0);
+    let density = half * lobe_kept(half / extent.root_det * weight);
+    return select(0.0, lobe_defined(density), lobe_min(e, extent.root_det) > 0.0);
 }
 
 // Rust: `BeckmannDistribution::excess`. 0 for NaN.
@@ -34,7 +34,7 @@ fn lobe_beckmann_slope_pdf(at: LobeNormal) -> f32 {
 // Rust: `Ndf::d`, of a shape's answers at a normal.
 fn lobe_beckmann_d(at: LobeNormal) -> f32 {
     return lobe_density_at(
-        lobe_beckmann_density(at.form, at.root_det, at.z, 1.0, LOBE_INVERSE_PI), at
+        lobe_beckmann_density(at.form, at.extent, at.z, 1.0, LOBE_INVERSE_PI), at
     );
 }
 
@@ -42,7 +42,7 @@ fn lobe_beckmann_d(at: LobeNormal) -> f32 {
 fn lobe_beckmann_brdf(at: LobePair) -> f32 {
     let weight = lobe_brdf_weight(lobe_beckmann_visibility_terms(at.wo, at.wi));
     return lobe_brdf_at(
-        lobe_beckmann_density(at.form, at.root_det, at.z, at.length_squared, weight), at
+        lobe_beckmann_density(at.form, at.extent, at.z, at.length_squared, weight), at
     );
 }
 
@@ -51,7 +51,7 @@ fn lobe_beckmann_unshadowed_brdf_cos(at: LobePair) -> f32 {
     let area = lobe_beckmann_projected_area(at.wo);
     let weight = 0.25 * LOBE_INVERSE_PI / area;
     return lobe_unshadowed_at(
-        lobe_beckmann_density(at.form, at.root_det, at.z, at.length_squared, weight), area, at
+        lobe_beckmann_density(at.form, at.extent, at.z, at.length_squared, weight), area, at
     );
 }
 

@@ -2,9 +2,11 @@
 // masking.rs.
 
 // Rust: `GgxDistribution::density`. 0 for NaN.
-fn lobe_ggx_density(form: f32, root_det: f32, z: f32, length_squared: f32, weight: f32) -> f32 {
-    let ratio = length_squared / (root_det * (z * z) + form);
-    return lobe_defined((root_det * ratio) * ratio * weight);
+fn lobe_ggx_density(
+    form: f32, extent: LobeExtent, z: f32, length_squared: f32, weight: f32
+) -> f32 {
+    let ratio = (extent.scale * length_squared) / (extent.unit * (z * z) + form);
+    return lobe_defined((extent.root_det * ratio) * ratio * weight);
 }
 
 // Rust: `GgxDistribution::excess`. 0 for NaN.
@@ -26,14 +28,14 @@ fn lobe_ggx_slope_pdf(at: LobeNormal) -> f32 {
 
 // Rust: `Ndf::d`, of a shape's answers at a normal.
 fn lobe_ggx_d(at: LobeNormal) -> f32 {
-    return lobe_density_at(lobe_ggx_density(at.form, at.root_det, at.z, 1.0, LOBE_INVERSE_PI), at);
+    return lobe_density_at(lobe_ggx_density(at.form, at.extent, at.z, 1.0, LOBE_INVERSE_PI), at);
 }
 
 // Rust: `Ndf::brdf`, of a shape's answers at a pair of directions.
 fn lobe_ggx_brdf(at: LobePair) -> f32 {
     let weight = lobe_brdf_weight(lobe_ggx_visibility_terms(at.wo, at.wi));
     return lobe_brdf_at(
-        lobe_ggx_density(at.form, at.root_det, at.z, at.length_squared, weight), at
+        lobe_ggx_density(at.form, at.extent, at.z, at.length_squared, weight), at
     );
 }
 
@@ -42,7 +44,7 @@ fn lobe_ggx_unshadowed_brdf_cos(at: LobePair) -> f32 {
     let area = lobe_ggx_projected_area(at.wo);
     let weight = 0.25 * LOBE_INVERSE_PI / area;
     return lobe_unshadowed_at(
-        lobe_ggx_density(at.form, at.root_det, at.z, at.length_squared, weight), area, at
+        lobe_ggx_density(at.form, at.extent, at.z, at.length_squared, weight), area, at
     );
 }
 

@@ -20,13 +20,13 @@ fn lobe_slope_moments_mul(moments: LobeSlopeMoments, factor: f32) -> LobeSlopeMo
 fn lobe_slope_moments_plus_correlated(
     moments: LobeSlopeMoments, other: LobeSlopeMoments, cross: mat2x2f
 ) -> LobeSlopeMoments {
-    let a = moments.covariance;
-    let b = other.covariance;
+    let a = lobe_psd_entries(moments.covariance);
+    let b = lobe_psd_entries(other.covariance);
     let between = lobe_within(cross[1][0], 1e18) + lobe_within(cross[0][1], 1e18);
     let covariance = lobe_psd_nearest(
-        a.xx + b.xx + 2.0 * lobe_within(cross[0][0], 1e18),
-        a.xy + b.xy + between,
-        a.yy + b.yy + 2.0 * lobe_within(cross[1][1], 1e18)
+        a.x + b.x + 2.0 * lobe_within(cross[0][0], 1e18),
+        a.y + b.y + between,
+        a.z + b.z + 2.0 * lobe_within(cross[1][1], 1e18)
     );
     let mean = vec2f(moments.mean.x + other.mean.x, moments.mean.y + other.mean.y);
     return lobe_slope_moments_bounded(mean, covariance);
@@ -59,22 +59,21 @@ fn lobe_slope_moments_transformed(moments: LobeSlopeMoments, matrix: mat2x2f) ->
     let m = mat2x2f(
         lobe_both_within(matrix[0], LOBE_LARGEST), lobe_both_within(matrix[1], LOBE_LARGEST)
     );
-    let factor = lobe_psd_cholesky(moments.covariance);
-    let product = lobe_psd_outer_sum(
-        lobe_jacobian_apply(m, vec2f(factor.x, factor.y)),
-        lobe_jacobian_apply(m, vec2f(0.0, factor.z))
-    );
+    let factor = moments.covariance;
+    let u = lobe_jacobian_apply(m, vec2f(factor.l_xx, factor.l_yx));
+    let v = lobe_jacobian_apply(m, vec2f(0.0, factor.l_yy));
     let det = abs(lobe_cross(vec2f(m[0][0], m[1][0]), vec2f(m[0][1], m[1][1])));
-    let root_det = det * moments.covariance.root_det;
+    let root_det = det * lobe_psd_root_det(factor);
     return lobe_slope_moments_bounded(
-        lobe_jacobian_apply(m, moments.mean), LobePsd(product.xx, product.xy, product.yy, root_det)
+        lobe_jacobian_apply(m, moments.mean), lobe_psd_outer_sum_with_root_det(u, v, root_det)
     );
 }
 
 // Rust: `SlopeMoments::bounded`. 0 for NaN.
 fn lobe_slope_moments_bounded(mean: vec2f, covariance: LobePsd) -> LobeSlopeMoments {
     let limit = LOBE_LARGEST * LOBE_LARGEST;
-    let most = lobe_max(covariance.xx, covariance.yy);
+    let entries = lobe_psd_entries(covariance);
+    let most = lobe_max(entries.x, entries.z);
     let kept = lobe_both_within(mean, LOBE_LARGEST);
     if most > limit {
         return LobeSlopeMoments(kept, lobe_psd_mul(covariance, limit / most));

@@ -13,7 +13,7 @@ fn lobe_slope_moments_new(mean: vec2f, covariance: LobePsd) -> LobeSlopeMoments 
 
 // Rust: `SlopeMoments::of_slope`.
 fn lobe_slope_moments_of_slope(slope: vec2f) -> LobeSlopeMoments {
-    return lobe_slope_moments_new(slope, LobePsd(0.0, 0.0, 0.0, 0.0));
+    return lobe_slope_moments_new(slope, LobePsd(0.0, 0.0, 0.0));
 }
 
 // Rust: `SlopeMoments::from_raw`. Moments beyond the ranges count as the nearest, NaN as 0.

@@ -12,15 +12,18 @@ fn lobe_non_centered_new(shape: LobeAnisotropic, mean: vec2f) -> LobeNonCentered
 }
 
 // Rust: `NonCentered::form`.
-fn lobe_non_centered_form(shape: LobeNonCentered, m: vec3f, m_low: vec3f) -> f32 {
-    let mean = shape.mean;
-    let x = lobe_add_product(m.x, mean.x, m.z);
-    let y = lobe_add_product(m.y, mean.y, m.z);
-    let low = vec2f(x.y + (m_low.x + mean.x * m_low.z), y.y + (m_low.y + mean.y * m_low.z));
-    let x_sum = lobe_kept(x.x + low.x);
-    let y_sum = lobe_kept(y.x + low.y);
-    let rest = vec3f(low.x - lobe_kept(x_sum - x.x), low.y - lobe_kept(y_sum - y.x), m_low.z);
-    return lobe_anisotropic_form(shape.shape, vec3f(x_sum, y_sum, m.z), rest);
+fn lobe_non_centered_form(shape: LobeNonCentered, m: vec3f) -> f32 {
+    return lobe_anisotropic_form(shape.shape, lobe_non_centered_relative(shape, m));
+}
+
+// Rust: `NonCentered::relative`.
+fn lobe_non_centered_relative(shape: LobeNonCentered, m: vec3f) -> vec2f {
+    return vec2f(m.x + shape.mean.x * m.z, m.y + shape.mean.y * m.z);
+}
+
+// Rust: `NonCentered::mean_area`. 0 for NaN.
+fn lobe_non_centered_mean_area(shape: LobeNonCentered, w: vec3f) -> f32 {
+    return lobe_defined(w.z - (shape.mean.x * w.x + shape.mean.y * w.y));
 }
 
 // Rust: `NonCentered::offset`: high parts, then low ones. 0 for NaN.
@@ -30,16 +33,10 @@ fn lobe_non_centered_offset(shape: LobeNonCentered, slope: vec2f) -> vec4f {
     return vec4f(lobe_defined(x.x), lobe_defined(y.x), lobe_defined(x.y), lobe_defined(y.y));
 }
 
-// Rust: `NonCentered::mean_area`. 0 for NaN.
-fn lobe_non_centered_mean_area(shape: LobeNonCentered, w: vec3f) -> f32 {
-    return lobe_defined(lobe_add_products(w.z, -shape.mean.x, w.x, -shape.mean.y, w.y));
-}
-
 // WGSL only: its answers at a normal.
 fn lobe_non_centered_normal(shape: LobeNonCentered, m: vec3f) -> LobeNormal {
     return LobeNormal(
-        lobe_non_centered_form(shape, m, vec3f(0.0, 0.0, 0.0)), shape.shape.root_det,
-        lobe_defined(m.z)
+        lobe_non_centered_form(shape, m), lobe_anisotropic_extent(shape.shape), lobe_defined(m.z)
     );
 }
 
@@ -54,9 +51,10 @@ fn lobe_non_centered_view(shape: LobeNonCentered, w: vec3f) -> LobeView {
 // down.
 fn lobe_non_centered_pair(shape: LobeNonCentered, wo: vec3f, wi: vec3f) -> LobePair {
     let half = lobe_half_sum(wo, wi);
-    let form = lobe_non_centered_form(shape, half.high, half.low);
     let o = lobe_non_centered_view(shape, wo);
     let i = lobe_non_centered_view(shape, wi);
-    let lowest = lobe_min(lobe_min(o.mean_area, i.mean_area), half.high.z);
-    return lobe_pair_of(half.high, form, shape.shape.root_det, o, i, lowest);
+    return lobe_pair_of(
+        half, lobe_non_centered_form(shape, half), lobe_anisotropic_extent(shape.shape), o, i,
+        lobe_min(lobe_min(o.mean_area, i.mean_area), half.z)
+    );
 }

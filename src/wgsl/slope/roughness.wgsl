@@ -15,7 +15,7 @@ struct LobeAlphas {
 // Rust: `Roughness::from_alpha`. Alpha beyond [0, 1e9] counts as the nearest, NaN as 0.
 fn lobe_roughness_from_alpha(alpha: f32) -> LobeRoughness {
     let a = lobe_magnitude(alpha);
-    return LobeRoughness(lobe_psd_from_axes(a, a, 1.0, 0.0));
+    return LobeRoughness(LobePsd(a, 0.0, a));
 }
 
 // Rust: `Roughness::from_perceptual`. Values beyond [0, 1] count as the nearest, NaN as 0.
@@ -58,14 +58,15 @@ fn lobe_roughness_alphas(roughness: LobeRoughness) -> LobeAlphas {
 // Rust: `Roughness::chermain_matrix`. Columns first; 0 for NaN.
 fn lobe_roughness_chermain_matrix(roughness: LobeRoughness, sigma_o: f32) -> mat2x2f {
     let covariance = lobe_roughness_covariance(roughness);
+    let entries = lobe_psd_entries(covariance);
     let inverse = 1.0 / sigma_o;
-    if covariance.yy < LOBE_MIN_POSITIVE {
-        return mat2x2f(lobe_defined(sqrt(covariance.xx) * inverse), 0.0, 0.0, 0.0);
+    if entries.z < LOBE_MIN_POSITIVE {
+        return mat2x2f(lobe_defined(sqrt(entries.x) * inverse), 0.0, 0.0, 0.0);
     }
-    let sigma_y = sqrt(covariance.yy);
+    let sigma_y = sqrt(entries.z);
     return mat2x2f(
-        lobe_defined(covariance.root_det / sigma_y * inverse), 0.0,
-        lobe_defined(covariance.xy / sigma_y * inverse), lobe_defined(sigma_y * inverse)
+        lobe_defined(lobe_psd_root_det(covariance) / sigma_y * inverse), 0.0,
+        lobe_defined(entries.y / sigma_y * inverse), lobe_defined(sigma_y * inverse)
     );
 }
 

@@ -3,6 +3,7 @@
 use super::bytes::Bytes;
 use core::fmt::Debug;
 use lobe::slope::direction::{normal_of, reflect};
+use lobe::slope::{Compensated, Whiten};
 use lobe::{
     Anisotropic, AxisAligned, Beckmann, Distribution, Footprint, Ggx, Isotropic, LobeShape, Ndf,
     NonCentered, Psd, Roughness,
@@ -38,16 +39,21 @@ pub(crate) fn precision(bytes: &[u8]) {
     scene.compare(isotropic.0, isotropic.1);
     let aligned = AxisAligned::new(alpha_x, alpha_y).expect(valid);
     scene.compare(aligned, AxisAligned::new(wide_x, wide_y).expect(valid));
+    let wide_mean = scene.mean.map(f64::from);
+    let exact = Compensated::new(scene.mean, scene.matrix).expect(valid);
+    let wide_exact = Compensated::new(wide_mean, scene.matrix.map(f64::from)).expect(valid);
+    scene.compare(exact, wide_exact);
+    // Plain shapes are backward accurate, which tests/laws/backward.rs holds; their means over
+    // polygons are forward accurate in the factor.
     let [xx, xy, yy] = scene.matrix;
-    let anisotropic = Anisotropic::new(Roughness::from_matrix(Psd::new(xx, xy, yy).expect(valid)));
-    let [xx, xy, yy] = scene.matrix.map(f64::from);
-    let wide_anisotropic =
-        Anisotropic::new(Roughness::from_matrix(Psd::new(xx, xy, yy).expect(valid)));
-    scene.compare(anisotropic, wide_anisotropic);
-    let non_centered = NonCentered::new(anisotropic, scene.mean).expect(valid);
-    scene.compare(
-        non_centered,
-        NonCentered::new(wide_anisotropic, scene.mean.map(f64::from)).expect(valid),
+    let factor = Psd::new(xx, xy, yy).expect(valid);
+    let wide_factor = Psd::from_cholesky(factor.cholesky().map(f64::from)).expect(valid);
+    let shape = Anisotropic::new(Roughness::from_matrix(factor));
+    let wide_shape = Anisotropic::new(Roughness::from_matrix(wide_factor));
+    scene.over_footprint(shape, wide_shape);
+    scene.over_footprint(
+        NonCentered::new(shape, scene.mean).expect(valid),
+        NonCentered::new(wide_shape, wide_mean).expect(valid),
     );
 }
 
@@ -98,12 +104,20 @@ impl Scene {
 
     fn compare<S, W>(&self, single: S, wide: W)
     where
-        S: LobeShape<Scalar = f32> + Debug,
-        W: LobeShape<Scalar = f64>,
+        S: Whiten<Scalar = f32> + Debug,
+        W: Whiten<Scalar = f64>,
+    {
+        self.evaluate(Ggx::new(single), Ggx::new(wide), GGX, &("GGX", single));
+        self.evaluate(Beckmann::new(single), Beckmann::new(wide), BECKMANN, &("Beckmann", single));
+        self.over_footprint(single, wide);
+    }
+
+    fn over_footprint<S, W>(&self, single: S, wide: W)
+    where
+        S: Whiten<Scalar = f32> + Debug,
+        W: Whiten<Scalar = f64>,
     {
         let ggx = (Ggx::new(single), Ggx::new(wide));
-        self.evaluate(ggx.0, ggx.1, GGX, &("GGX", single));
-        self.evaluate(Beckmann::new(single), Beckmann::new(wide), BECKMANN, &("Beckmann", single));
         let footprint = Footprint::from_slopes(self.u, self.v);
         let widened = Footprint::from_slopes(self.u.map(f64::from), self.v.map(f64::from));
         let got = ggx.0.parallelogram_mean(self.slope, &footprint);

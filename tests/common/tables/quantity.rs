@@ -1,9 +1,9 @@
 //! The quantities that tables can hold: columns, and how the library computes them.
 
-use lobe::slope::{direction, jacobian};
+use lobe::slope::{Compensated, direction, jacobian};
 use lobe::{
-    Anisotropic, AxisAligned, Beckmann, Distribution, Error, Footprint, Ggx, Kernel, Lobe, Ndf,
-    NonCentered, Path, Psd, Real, Roughness, Vertex, filter,
+    AxisAligned, Beckmann, Distribution, Error, Footprint, Ggx, Kernel, Lobe, Ndf, Path, Psd, Real,
+    Roughness, Vertex, filter,
 };
 
 /// One table stem of the contract.
@@ -136,9 +136,9 @@ impl Quantity {
             }
             Formula::SlopePdf(Name::Ggx) => |x| Ok(slope_pdf(&Ggx::new(lobe(&x[2..])?), x)),
             Formula::D(Name::Beckmann) => {
-                |x| Ok(vec![Beckmann::new(anisotropic(&x[3..])?).d(vector(x))])
+                |x| Ok(vec![Beckmann::new(centered(&x[3..])?).d(vector(x))])
             }
-            Formula::D(Name::Ggx) => |x| Ok(vec![Ggx::new(anisotropic(&x[3..])?).d(vector(x))]),
+            Formula::D(Name::Ggx) => |x| Ok(vec![Ggx::new(centered(&x[3..])?).d(vector(x))]),
             Formula::ProjectedArea(Name::Beckmann) => {
                 |x| Ok(vec![Beckmann::new(lobe(&x[3..])?).projected_area(vector(x))])
             }
@@ -146,10 +146,10 @@ impl Quantity {
                 |x| Ok(vec![Ggx::new(lobe(&x[3..])?).projected_area(vector(x))])
             }
             Formula::Lambda(Name::Beckmann) => {
-                |x| Ok(vec![Beckmann::new(anisotropic(&x[3..])?).lambda(vector(x))])
+                |x| Ok(vec![Beckmann::new(centered(&x[3..])?).lambda(vector(x))])
             }
             Formula::Lambda(Name::Ggx) => {
-                |x| Ok(vec![Ggx::new(anisotropic(&x[3..])?).lambda(vector(x))])
+                |x| Ok(vec![Ggx::new(centered(&x[3..])?).lambda(vector(x))])
             }
             Formula::Brdf(Name::Beckmann) => {
                 |x| Ok(vec![Beckmann::new(lobe(&x[6..])?).brdf(vector(x), vector(&x[3..]))])
@@ -168,9 +168,7 @@ impl Quantity {
             },
             Formula::GgxParallelogram => |x| {
                 let footprint = Footprint::from_slopes([x[2], x[3]], [x[4], x[5]]);
-                Ok(vec![
-                    Ggx::new(anisotropic(&x[6..])?).parallelogram_mean([x[0], x[1]], &footprint),
-                ])
+                Ok(vec![Ggx::new(centered(&x[6..])?).parallelogram_mean([x[0], x[1]], &footprint)])
             },
             Formula::GgxGaussian => |x| {
                 let kernel = Kernel::from_covariance(Psd::new(x[2], x[3], x[4])?);
@@ -204,10 +202,7 @@ impl Quantity {
     }
 }
 
-fn slope_pdf<R: Real, D: Distribution>(
-    ndf: &Ndf<D, NonCentered<Anisotropic<R>>>,
-    x: &[R],
-) -> Vec<R> {
+fn slope_pdf<R: Real, D: Distribution>(ndf: &Ndf<D, Compensated<R>>, x: &[R]) -> Vec<R> {
     vec![ndf.slope_pdf([x[0], x[1]])]
 }
 
@@ -219,11 +214,12 @@ fn roughness<R: Real>(x: &[R]) -> Result<Roughness<R>, Error> {
     Ok(Roughness::from_matrix(Psd::new(x[0], x[1], x[2])?))
 }
 
-fn anisotropic<R: Real>(x: &[R]) -> Result<Anisotropic<R>, Error> {
-    Ok(Anisotropic::new(roughness(x)?))
+/// From `a_xx, a_xy, a_yy`.
+fn centered<R: Real>(x: &[R]) -> Result<Compensated<R>, Error> {
+    Compensated::new([R::ZERO; 2], vector(x))
 }
 
 /// From `mean_x, mean_y, a_xx, a_xy, a_yy`.
-fn lobe<R: Real>(x: &[R]) -> Result<NonCentered<Anisotropic<R>>, Error> {
-    Ok(Lobe::new([x[0], x[1]], roughness(&x[2..])?)?.shape())
+fn lobe<R: Real>(x: &[R]) -> Result<Compensated<R>, Error> {
+    Compensated::new([x[0], x[1]], vector(&x[2..]))
 }

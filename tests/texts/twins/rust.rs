@@ -17,9 +17,10 @@ impl Function {
     /// True if a twin of the WGSL port that names `twin` means it. Distributions and shapes stand
     /// for their trait.
     pub(crate) fn is(&self, twin: &str) -> bool {
-        const TRAITS: [(&str, &[&str]); 2] = [
+        const TRAITS: [(&str, &[&str]); 3] = [
             ("Distribution", &["GgxDistribution", "BeckmannDistribution"]),
-            ("LobeShape", &["Isotropic", "AxisAligned", "Anisotropic", "NonCentered"]),
+            ("LobeShape", &["Isotropic", "AxisAligned", "Anisotropic", "Widened", "NonCentered"]),
+            ("Whiten", &["Anisotropic", "NonCentered"]),
         ];
         let of_trait = |name: &str, types: &[&str]| {
             let (home, method) = twin.split_once("::").unwrap_or_default();

@@ -6,7 +6,8 @@ use lobe::filter::{
     tokuyoshi_deferred_alpha, tokuyoshi_kaplanyan_deferred_alpha,
 };
 use lobe::ndf::GgxDistribution;
-use lobe::{AxisAligned, Error, Kernel, LobeShape, Ndf, PixelFilter, Real};
+use lobe::slope::Whiten;
+use lobe::{AxisAligned, Error, Kernel, Ndf, PixelFilter, Real};
 
 use super::material::Material;
 use super::pixel::Pixel;
@@ -57,7 +58,7 @@ impl Deferred {
 
 impl Shade for Deferred {
     #[inline]
-    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
+    fn shade<S: Whiten, P: Pixel<S::Scalar>>(
         &self,
         material: &Material<S>,
         pixel: &P,

@@ -1,7 +1,8 @@
 //! The material under the filter: one alpha, or one along and one across a brushed surface's
 //! grooves.
 
-use lobe::{AxisAligned, Error, Isotropic, LobeShape, Roughness};
+use lobe::slope::Whiten;
+use lobe::{AxisAligned, Error, Isotropic, Roughness};
 
 use crate::scene::ACROSS;
 
@@ -25,7 +26,7 @@ impl Finish {
 }
 
 /// A material of a shape, with what the filters need of it.
-pub(crate) struct Material<S: LobeShape> {
+pub(crate) struct Material<S: Whiten> {
     /// Roughness along the shading frame's axes.
     pub(super) alphas: [S::Scalar; 2],
     pub(super) shape: S,

@@ -10,7 +10,7 @@ mod material;
 mod pixel;
 mod shading;
 
-use lobe::LobeShape;
+use lobe::slope::Whiten;
 use serde::Serialize;
 
 use crate::scene::{Motions, Sample};
@@ -117,7 +117,7 @@ where
     })
 }
 
-fn shade_row<F: Shade, S: LobeShape<Scalar = f32>>(
+fn shade_row<F: Shade, S: Whiten<Scalar = f32>>(
     shade: &F,
     derivatives: Derivatives,
     material: &Material<S>,

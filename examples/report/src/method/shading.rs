@@ -6,6 +6,7 @@ use core::marker::PhantomData;
 
 use lobe::filter::{DiskKernel, beckmann_rectangle_mean, kaplanyan_rectangle_mean};
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
+use lobe::slope::Whiten;
 use lobe::slope::direction::slope_of;
 use lobe::{
     Anisotropic, Distribution, Footprint, Kernel, LobeShape, Ndf, PixelFilter, Real, Roughness,
@@ -18,11 +19,8 @@ use crate::scene::Sample;
 /// A way to shade a pixel.
 pub(super) trait Shade {
     /// Radiance towards the eye.
-    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
-        &self,
-        material: &Material<S>,
-        pixel: &P,
-    ) -> S::Scalar;
+    fn shade<S: Whiten, P: Pixel<S::Scalar>>(&self, material: &Material<S>, pixel: &P)
+    -> S::Scalar;
 }
 
 /// BRDF times cosine and light.
@@ -31,7 +29,13 @@ pub(super) fn lit<R: Real>(brdf: R, sample: &Sample<R>) -> R {
     brdf * sample.wi[2] * sample.strength
 }
 
-/// The same of a lobe in place of the material's.
+/// BRDF times cosine and light of a shape in place of the material's.
+#[inline]
+fn lit_as<D: Distribution, S: LobeShape>(shape: S, sample: &Sample<S::Scalar>) -> S::Scalar {
+    lit(Ndf::<D, S>::new(shape).brdf(sample.wo, sample.wi), sample)
+}
+
+/// BRDF times cosine and light of a lobe in place of the material's.
 #[inline]
 pub(super) fn lit_by<D: Distribution, R: Real>(roughness: Roughness<R>, sample: &Sample<R>) -> R {
     lit(Ndf::<D, _>::new(Anisotropic::new(roughness)).brdf(sample.wo, sample.wi), sample)
@@ -43,7 +47,7 @@ pub(super) struct Plain<D>(pub(super) PhantomData<D>);
 
 impl<D: Distribution> Shade for Plain<D> {
     #[inline]
-    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
+    fn shade<S: Whiten, P: Pixel<S::Scalar>>(
         &self,
         material: &Material<S>,
         pixel: &P,
@@ -60,13 +64,13 @@ pub(super) struct Widened<D>(pub(super) PixelFilter, pub(super) PhantomData<D>);
 
 impl<D: Distribution> Shade for Widened<D> {
     #[inline]
-    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
+    fn shade<S: Whiten, P: Pixel<S::Scalar>>(
         &self,
         material: &Material<S>,
         pixel: &P,
     ) -> S::Scalar {
         let kernel = Kernel::of(&pixel.footprint(), self.0);
-        lit_by::<D, _>(material.roughness.widened(&kernel), pixel.sample())
+        lit_as::<D, _>(kernel.widen(material.shape), pixel.sample())
     }
 }
 
@@ -87,35 +91,38 @@ pub(super) enum Widening {
 
 impl Shade for Widening {
     #[inline]
-    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
+    fn shade<S: Whiten, P: Pixel<S::Scalar>>(
         &self,
         material: &Material<S>,
         pixel: &P,
     ) -> S::Scalar {
         let limit = S::Scalar::lit(Kernel::<S::Scalar>::ALPHA_SQUARED_LIMIT);
-        let roughness = &material.roughness;
-        let widened = match *self {
-            Self::Fitted(filter) => roughness.peak_fitted(&Kernel::of(&pixel.footprint(), filter)),
+        let (shape, roughness) = (material.shape, &material.roughness);
+        let wider = match *self {
+            Self::Fitted(filter) => Kernel::of(&pixel.footprint(), filter).widen_to_peak(shape),
             Self::Proxy => {
                 let widths = S::Scalar::lit(Footprint::<S::Scalar>::WIDTH_LIMIT);
                 let rectangle = pixel.footprint().bounding_within(widths);
-                roughness.widened(&Kernel::of(&rectangle, PixelFilter::KAPLANYAN_PROXY))
+                Kernel::of(&rectangle, PixelFilter::KAPLANYAN_PROXY).widen(shape)
             }
             Self::Tokuyoshi => {
                 let kernel = Kernel::of(&pixel.narrowed_footprint(), PixelFilter::KAPLANYAN);
-                roughness.widened(&kernel.capped(limit))
+                kernel.capped(limit).widen(shape)
             }
             Self::Projected(filter) => {
                 let steps = pixel.narrowed_footprint();
-                roughness.widened_on_disk(&DiskKernel::of(steps.u, steps.v, filter))
+                let kernel = DiskKernel::of(steps.u, steps.v, filter);
+                let wider = roughness.widened_on_disk(&kernel);
+                return lit_by::<GgxDistribution, _>(wider, pixel.sample());
             }
             Self::ProjectedAlong(filter) => {
                 let steps = pixel.narrowed_footprint();
                 let kernel = DiskKernel::of_bounding(steps.u, steps.v, filter).capped(limit);
-                roughness.widened_on_disk(&kernel)
+                let wider = roughness.widened_on_disk(&kernel);
+                return lit_by::<GgxDistribution, _>(wider, pixel.sample());
             }
         };
-        lit_by::<GgxDistribution, _>(widened, pixel.sample())
+        lit_as::<GgxDistribution, _>(wider, pixel.sample())
     }
 }
 
@@ -150,7 +157,7 @@ impl RectangleMean for BeckmannDistribution {
 
 impl<D: RectangleMean> Shade for Rectangle<D> {
     #[inline]
-    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
+    fn shade<S: Whiten, P: Pixel<S::Scalar>>(
         &self,
         material: &Material<S>,
         pixel: &P,
@@ -175,7 +182,7 @@ pub(super) struct Parallelogram;
 
 impl Shade for Parallelogram {
     #[inline]
-    fn shade<S: LobeShape, P: Pixel<S::Scalar>>(
+    fn shade<S: Whiten, P: Pixel<S::Scalar>>(
         &self,
         material: &Material<S>,
         pixel: &P,

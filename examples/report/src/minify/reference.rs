@@ -137,7 +137,7 @@ fn add(sums: &mut [f64], shape: NonCentered<Isotropic<f64>>, spot: &Spot<f64>) {
     sums[Distribution::Ggx as usize] += Ggx::new(shape).brdf(spot.wo, spot.wi) * factor;
     // Most of most pictures: not worth Beckmann's masking.
     let g = [0, 1, 2].map(|k| spot.wo[k] + spot.wi[k]);
-    if shape.form(g, [0.0; 3]) < UNDERFLOW * g[2] * g[2] * shape.root_det() {
+    if shape.form(g) < UNDERFLOW * g[2] * g[2] * shape.root_det() {
         sums[Distribution::Beckmann as usize] +=
             Beckmann::new(shape).brdf(spot.wo, spot.wi) * factor;
     }

@@ -17,9 +17,6 @@ fn lobe_ggx_brdf_over(
     let x = lobe_polygon_slope(lobe_two_sum(wo.x, wi.x), z);
     let y = lobe_polygon_slope(lobe_two_sum(wo.y, wi.y), z);
     let slope = vec2f(x.x, y.x);
-    let form = lobe_non_centered_form(shape, vec3f(-x.x, -y.x, 1.0), vec3f(-x.y, -y.y, 0.0));
-    let root_det = shape.shape.root_det;
-    let at_point = lobe_ggx_density(form, root_det, 1.0, 1.0, 1.0);
     let sides = lobe_footprint_bounded(footprint);
     let offset = lobe_polygon_offset_of(shape, slope, vec2f(x.y, y.y));
     let whitened = lobe_whitened_new(shape.shape, offset.xy, offset.zw, sides);
@@ -31,6 +28,9 @@ fn lobe_ggx_brdf_over(
     if !unresolved {
         mean = lobe_polygon_mean_of(shape.shape, whitened, offset, sides);
     }
+    let q = lobe_strip_dot(whitened.midpoint, whitened.midpoint);
+    let root_det = shape.shape.root_det;
+    let at_point = 1.0 / (root_det * (1.0 + q) * (1.0 + q));
     let faint = !(at_point >= LOBE_MIN_POSITIVE)
         || mean * LOBE_PI > LOBE_GROOVE_LARGEST_GAIN * at_point;
     let parallel = lobe_secant_is_parallel(whitened);
@@ -64,9 +64,22 @@ fn lobe_ggx_brdf_over(
         }
         return select(lobe_max(over, brdf), over, unresolved);
     }
+    if !(z.x > 0.0) {
+        return 0.0;
+    }
     let ratio = sqrt(mean * LOBE_PI / at_point);
-    let factor = ratio * lobe_secant_ratio(slope, form / root_det, ratio, sides, whitened, first);
-    return lobe_below_infinity(lobe_max(lobe_defined(lobe_kept(brdf * factor) * factor), 0.0));
+    let secant = lobe_secant_ratio(slope, q, ratio, sides, whitened, first);
+    let secant_squared = (1.0 + x.x * x.x + y.x * y.x) * secant;
+    return lobe_polygon_shaded(
+        mean, lobe_polygon_visibility(shape, wo, wi), secant_squared
+    );
+}
+
+// WGSL only: of `Ndf::brdf_over`.
+fn lobe_polygon_visibility(shape: LobeNonCentered, wo: vec3f, wi: vec3f) -> f32 {
+    return lobe_ggx_visibility(
+        lobe_non_centered_view(shape, wo), lobe_non_centered_view(shape, wi)
+    );
 }
 
 // Rust: `Ndf::groove_over`. 0 for NaN.
@@ -74,17 +87,19 @@ fn lobe_polygon_groove_over(
     shape: LobeNonCentered, wo: vec3f, wi: vec3f, covered: LobeGrooveCovered
 ) -> f32 {
     let s = lobe_polygon_at_place(shape, covered.place);
-    let secant_squared = 1.0 + s.x * s.x + s.y * s.y;
-    let visibility = lobe_ggx_visibility(
-        lobe_non_centered_view(shape, wo), lobe_non_centered_view(shape, wi)
+    return lobe_polygon_shaded(
+        covered.mean, lobe_polygon_visibility(shape, wo, wi), 1.0 + s.x * s.x + s.y * s.y
     );
-    let filtered = lobe_kept(lobe_kept(covered.mean * visibility) * secant_squared)
-        * secant_squared;
-    return lobe_below_infinity(lobe_max(lobe_defined(filtered), 0.0));
 }
 
 // Rust: `Ndf::at_place`.
 fn lobe_polygon_at_place(shape: LobeNonCentered, place: vec2f) -> vec2f {
     let origin = lobe_non_centered_offset(shape, vec2f(0.0, 0.0));
     return vec2f(place.x - origin.x, place.y - origin.y);
+}
+
+// Rust: `shaded`. 0 for NaN.
+fn lobe_polygon_shaded(mean: f32, visibility: f32, secant_squared: f32) -> f32 {
+    let filtered = lobe_kept(lobe_kept(mean * visibility) * secant_squared) * secant_squared;
+    return lobe_below_infinity(lobe_max(lobe_defined(filtered), 0.0));
 }

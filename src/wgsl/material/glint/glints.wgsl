@@ -22,9 +22,9 @@ struct LobeGlints {
 // Rust: `Glints::new`. A density beyond [1e-18, 1e18] counts as the nearest, NaN as the smallest.
 fn lobe_glints_new(biscale: LobeBiscale, density: f32) -> LobeGlints {
     let number = lobe_min(lobe_max(density, 1e-18), 1e18);
-    let spread = biscale.spread.psd;
+    let spread = lobe_psd_entries(biscale.spread.psd);
     let stretch = vec2f(
-        lobe_glints_ratio(spread.xx, spread.yy), lobe_glints_ratio(spread.yy, spread.xx)
+        lobe_glints_ratio(spread.x, spread.z), lobe_glints_ratio(spread.z, spread.x)
     );
     let groove = select(
         select(LOBE_GROOVE_NONE, LOBE_GROOVE_ALONG_V, stretch.y == 0.0), LOBE_GROOVE_ALONG_U,

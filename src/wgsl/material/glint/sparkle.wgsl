@@ -82,29 +82,32 @@ fn lobe_glint_ndf_brdf(lobe: LobeGlintNdf, wo: vec3f, wi: vec3f, radius: f32) ->
 // Rust: `GlintNdf::blurred`.
 fn lobe_glint_ndf_blurred(lobe: LobeGlintNdf, blur: f32) -> LobePsd {
     let added = lobe_magnitude(blur);
-    return lobe_psd_add(lobe.biscale.local.psd, LobePsd(added, 0.0, added, added));
+    let round = lobe_psd_with_root_det(vec3f(added, 0.0, added), added);
+    return lobe_psd_add(lobe.biscale.local.psd, round);
 }
 
 // Rust: `GlintNdf::reflection`.
 fn lobe_glint_ndf_reflection(lobe: LobeGlintNdf, h: vec3f, local: LobePsd) -> LobeReflection {
-    let global = lobe.global.psd;
+    let global = lobe_psd_entries(lobe.global.psd);
+    let own = lobe_psd_entries(local);
     if lobe.groove == LOBE_GROOVE_ALONG_V {
-        let across = lobe_glint_ndf_across(h.x / h.z, lobe.mean.x, local.xx, global.xx);
+        let across = lobe_glint_ndf_across(h.x / h.z, lobe.mean.x, own.x, global.x);
         return LobeReflection(across.x, vec2f(across.y, 0.0));
     }
     if lobe.groove == LOBE_GROOVE_ALONG_U {
-        let across = lobe_glint_ndf_across(h.y / h.z, lobe.mean.y, local.yy, global.yy);
+        let across = lobe_glint_ndf_across(h.y / h.z, lobe.mean.y, own.z, global.z);
         return LobeReflection(across.x, vec2f(0.0, across.y));
     }
     let shape = lobe_lobe_shape(lobe_glint_ndf_smooth_lobe(lobe));
-    let form = lobe_non_centered_form(shape, h, vec3f(0.0, 0.0, 0.0));
+    let form = lobe_non_centered_form(shape, h);
     // Mirrors have nothing to divide by.
-    let exponent = form / lobe_max(shape.shape.root_det * h.z * h.z, LOBE_MIN_POSITIVE);
-    let peaks = lobe_min(local.root_det / lobe_max(global.root_det, LOBE_MIN_POSITIVE), 1.0);
-    let factor = lobe_psd_cholesky(local);
+    let unit = lobe_anisotropic_extent(shape.shape).unit;
+    let exponent = form / lobe_max(unit * h.z * h.z, LOBE_MIN_POSITIVE);
+    let least = lobe_max(lobe_psd_root_det(lobe.global.psd), LOBE_MIN_POSITIVE);
+    let peaks = lobe_min(lobe_psd_root_det(local) / least, 1.0);
     let per_bin = 2.0 / ((1.0 + h.z) * LOBE_GLINT_SIDE);
-    let x = h.x * per_bin / lobe_max(factor.x, LOBE_MIN_POSITIVE);
-    let y = (h.y * per_bin - factor.y * x) / lobe_max(factor.z, LOBE_MIN_POSITIVE);
+    let x = h.x * per_bin / lobe_max(local.l_xx, LOBE_MIN_POSITIVE);
+    let y = (h.y * per_bin - local.l_yx * x) / lobe_max(local.l_yy, LOBE_MIN_POSITIVE);
     return LobeReflection(lobe_defined(peaks * lobe_exp(-exponent)), vec2f(x, y));
 }
 

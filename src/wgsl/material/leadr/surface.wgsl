@@ -26,7 +26,10 @@ struct LobeFacet {
 // Rust: `Leadr::new`.
 fn lobe_leadr_new(lobe: LobeLobe) -> LobeLeadr {
     let covariance = lobe_roughness_covariance(lobe.roughness);
-    return LobeLeadr(lobe_lobe_shape(lobe), lobe_psd_cholesky(covariance), covariance.root_det);
+    return LobeLeadr(
+        lobe_lobe_shape(lobe), vec3f(covariance.l_xx, covariance.l_yx, covariance.l_yy),
+        lobe_psd_root_det(covariance)
+    );
 }
 
 // Rust: `Leadr::brdf_cos`, with masking and shadowing. 0 for NaN.

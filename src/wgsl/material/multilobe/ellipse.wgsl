@@ -50,7 +50,10 @@ fn lobe_ellipse_of(pixel: LobePatch) -> LobeEllipse {
         let x = eigen.axis.x * missing;
         let y = eigen.axis.y * missing;
         let root_det = eigen.major / f32(LOBE_ELLIPSE_LIMIT);
-        let wide = LobePsd(square.xx + y * y, square.xy - x * y, square.yy + x * x, root_det);
+        let entries = lobe_psd_entries(square);
+        let wide = lobe_psd_with_root_det(
+            vec3f(entries.x + y * y, entries.y - x * y, entries.z + x * x), root_det
+        );
         return LobeEllipse(pixel.tile, uv, wide, width);
     }
     return LobeEllipse(pixel.tile, uv, square, width);
@@ -64,8 +67,8 @@ fn lobe_ellipse_rows(ellipse: LobeEllipse, exponent: i32) -> LobeEllipseRows {
         lobe_ellipse_bounded(lobe_tile_place(ellipse.tile.y, ellipse.uv.y, exponent)) - 0.5
     );
     let square =
-        lobe_psd_add(lobe_psd_mul(ellipse.square, inverse * inverse), LobePsd(1.0, 0.0, 1.0, 1.0));
-    let ends = lobe_ellipse_between(midpoint.y, sqrt(square.yy));
+        lobe_psd_add(lobe_psd_mul(ellipse.square, inverse * inverse), LobePsd(1.0, 0.0, 1.0));
+    let ends = lobe_ellipse_between(midpoint.y, sqrt(lobe_psd_entries(square).z));
     return LobeEllipseRows(
         lobe_tile_corner(ellipse.tile.x, exponent), lobe_tile_corner(ellipse.tile.y, exponent),
         midpoint, square, ends.x,
@@ -89,11 +92,12 @@ fn lobe_ellipse_between(midpoint: f32, reach: f32) -> vec2i {
 
 // Rust: `Rows::row`.
 fn lobe_ellipse_row(rows: LobeEllipseRows, t: i32) -> LobeEllipseRow {
-    let psd = rows.square;
+    let psd = lobe_psd_entries(rows.square);
+    let root_det = lobe_psd_root_det(rows.square);
     let offset = f32(t) - rows.midpoint.y;
-    let rest = lobe_max(1.0 - offset * offset / psd.yy, 0.0);
-    let middle = rows.midpoint.x + psd.xy / psd.yy * offset;
-    let square = psd.root_det * (psd.root_det / psd.yy);
+    let rest = lobe_max(1.0 - offset * offset / psd.z, 0.0);
+    let middle = rows.midpoint.x + psd.y / psd.z * offset;
+    let square = root_det * (root_det / psd.z);
     let ends = lobe_ellipse_between(middle, sqrt(square * rest));
     return LobeEllipseRow(ends.x, ends.y, middle, 1.0 / square, rest);
 }

@@ -26,7 +26,7 @@ fn lobe_multi_lobe_ndf(
         facets.seed
     );
     return LobePatchNdf(
-        dictionary, facets.roughness, LobeKernel(LobePsd(0.0, 0.0, 0.0, 0.0)), cells
+        dictionary, facets.roughness, LobeKernel(vec2f(0.0, 0.0), vec2f(0.0, 0.0)), cells
     );
 }
 

@@ -16,7 +16,8 @@ struct LobePlane {
 // Rust: `Plane::new`. 0 for NaN.
 fn lobe_plane_new(roughness: LobeRoughness, kernel: LobeKernel) -> LobePlane {
     let m = lobe_roughness_chermain_matrix(roughness, 1.0);
-    let root = lobe_psd_cholesky(kernel.covariance);
+    let factor = lobe_kernel_covariance(kernel);
+    let root = vec3f(factor.l_xx, factor.l_yx, factor.l_yy);
     let share = lobe_power_of_two(LOBE_PLANE_SHARE);
     let across = share * sqrt(root.y * root.y + root.z * root.z);
     let c = lobe_max(lobe_max(m[1][1], LOBE_PLANE_LEAST), across);

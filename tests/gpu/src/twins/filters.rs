@@ -10,7 +10,7 @@ use lobe::filter::{
 use lobe::material::Fresnel;
 use lobe::shade::Material;
 use lobe::slope::direction::half_vector;
-use lobe::{Ggx, Kernel, LobeShape, Real};
+use lobe::{Ggx, Isotropic, Kernel, LobeShape, PixelFilter, Real};
 
 use super::value::Reader;
 
@@ -37,6 +37,28 @@ super::twins! {
     };
     "kernel_tokuyoshi_forward" (Footprint) "lobe_kernel_tokuyoshi_forward($0.u, $0.v)" => |x| {
         Kernel::tokuyoshi_forward(x.vec::<R, 2>(), x.vec())
+    };
+    "kernel_covariance" (Kernel) "lobe_kernel_covariance($0)" => |x| {
+        x.kernel::<R>().covariance()
+    };
+    "kernel_widen" (Kernel, Alpha, Direction)
+        "lobe_widened_form(lobe_kernel_widen($0, lobe_isotropic_new($1)), $2.xy)" => |x| {
+        let kernel = x.kernel::<R>();
+        let shape = kernel.widen(Isotropic::saturating(x.f()));
+        shape.form(x.vec())
+    };
+    "kernel_widen_to_peak" (Kernel, Alpha)
+        "lobe_widened_extent(lobe_kernel_widen_to_peak($0, lobe_isotropic_new($1)))" => |x| {
+        let kernel = x.kernel::<R>();
+        kernel.widen_to_peak(Isotropic::saturating(x.f())).extent()
+    };
+    "disk_kernel_widen" (Kernel, Alpha)
+        "lobe_widened_extent(lobe_disk_kernel_widen(LobeDiskKernel($0), \
+            lobe_isotropic_new($1)))" => |x| {
+        let [u, v] = x.kernel::<R>().columns();
+        let unit = PixelFilter::with_variance(1.0).expect("in range");
+        let kernel = DiskKernel::of(u, v, unit);
+        kernel.widen(Isotropic::saturating(x.f())).extent()
     };
     "kernel_from_covariance" (Psd) "lobe_kernel_from_covariance($0)" => |x| {
         Kernel::from_covariance(x.psd::<R>())
@@ -104,19 +126,20 @@ super::twins! {
         DiskKernel::from_covariance(x.psd::<R>())
     };
     "disk_kernel_add" (Kernel, Kernel)
-        "lobe_disk_kernel_add(lobe_disk_kernel_from_covariance($0.covariance),
-            lobe_disk_kernel_from_covariance($1.covariance))" => |x| {
+        "lobe_disk_kernel_add(lobe_disk_kernel_from_covariance(lobe_kernel_covariance($0)),
+            lobe_disk_kernel_from_covariance(lobe_kernel_covariance($1)))" => |x| {
         let kernel = x.disk::<R>();
         kernel + x.disk()
     };
     "disk_kernel_capped" (Kernel, Limit)
-        "lobe_disk_kernel_capped(lobe_disk_kernel_from_covariance($0.covariance), $1)" => |x| {
+        "lobe_disk_kernel_capped(lobe_disk_kernel_from_covariance(lobe_kernel_covariance($0)), \
+            $1)" => |x| {
         let kernel = x.disk::<R>();
         kernel.capped(x.f())
     };
     "roughness_widened_on_disk" (Roughness, Kernel)
         "lobe_roughness_widened_on_disk($0, \
-            lobe_disk_kernel_from_covariance($1.covariance))" => |x| {
+            lobe_disk_kernel_from_covariance(lobe_kernel_covariance($1)))" => |x| {
         let roughness = x.roughness::<R>();
         roughness.widened_on_disk(&x.disk())
     };
@@ -243,11 +266,11 @@ super::twins! {
         fresnel.reflectance(x.f())
     };
     "material_bake" (Lobe, Kernel, Direction) "lobe_non_centered_form(lobe_material_bake($0, $1), \
-        $2, $2)" => |x| {
+        $2)" => |x| {
         let material = Material::ggx(x.lobe::<R>(), Fresnel::white());
         let shading = material.bake(&x.kernel());
         let m = x.vec();
-        shading.ndf().shape().form(m, m)
+        shading.ndf().shape().form(m)
     };
     "half_cosine" (Pair) "lobe_half_cosine($0)" => |x| {
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());

@@ -78,6 +78,8 @@ pub enum Input {
     Psd,
     /// The same as a roughness.
     Roughness,
+    /// An isotropic shape under two columns.
+    Widened,
     /// A roughness and a mean.
     Lobe,
     /// A roughness that is a mirror's, a groove's, or narrower than f32 has squares for, and a
@@ -179,7 +181,7 @@ impl Input {
             | Self::Matrix
             | Self::Node
             | Self::Biscale => 4,
-            Self::Lobe | Self::Groove => 5,
+            Self::Lobe | Self::Groove | Self::Widened => 5,
             Self::Mirroring => 10,
             Self::Facets | Self::Numbers => 7,
             Self::Covering | Self::Pair | Self::Unorm | Self::Plain | Self::Mirrored => 6,
@@ -213,9 +215,12 @@ impl Input {
                 let over = format!("lobe_footprint_from_slopes({}, {})", pair(6), pair(8));
                 format!("{}, {}, {over}", triple(0), triple(3))
             }
+            Self::Widened => {
+                let shape = format!("lobe_isotropic_new({})", at(0));
+                format!("lobe_widened_new({shape}, {}, {})", pair(1), pair(3))
+            }
             Self::Kernel | Self::Blurring => {
-                let outer = format!("lobe_psd_outer_sum({}, {})", pair(0), pair(2));
-                format!("lobe_kernel_from_covariance({outer})")
+                format!("LobeKernel({}, {})", pair(0), pair(2))
             }
             Self::Unorm => format!("{}, {}, {}", pair(0), triple(2), at(5)),
             Self::Matrix => format!("mat2x2f({}, {}, {}, {})", at(0), at(2), at(1), at(3)),
@@ -369,6 +374,10 @@ impl Input {
             Self::Footprint => {
                 let Footprint { u, v } = s.footprint();
                 put(&[u, v].concat());
+            }
+            Self::Widened => {
+                put(&[s.alpha()]);
+                put(&s.kernel().concat());
             }
             Self::Kernel => put(&s.kernel().concat()),
             Self::Frames => {

@@ -1,6 +1,7 @@
 //! Twins of `src/ndf`: every function of either distribution over every shape.
 
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
+use lobe::slope::Widened;
 use lobe::{
     Anisotropic, AxisAligned, Beckmann, Distribution, Isotropic, LobeShape, Ndf, NonCentered, Real,
 };
@@ -48,6 +49,7 @@ shaped! {
     OfAnisotropic Anisotropic<R>, "anisotropic", Roughness, "lobe_anisotropic_new($0)" => |x| {
         Anisotropic::new(x.roughness())
     };
+    OfWidened Widened<Isotropic<R>>, "widened", Widened, "$0" => |x| x.widened();
     OfNonCentered NonCentered<Anisotropic<R>>, "non_centered", Lobe, "lobe_lobe_shape($0)" => |x| {
         x.lobe().shape()
     };
@@ -126,11 +128,17 @@ methods! {
 /// What a distribution owes, by itself, and Walter's fit.
 mod owed {
     use super::{Beckmann, BeckmannDistribution, Distribution, GgxDistribution};
+    use lobe::Real;
+    use lobe::slope::Extent;
+
+    fn extent<R: Real>(root_det: R) -> Extent<R> {
+        Extent { root_det, unit: root_det * root_det, scale: root_det }
+    }
 
     super::super::twins! {
-        "ggx_density" (Alpha, Alpha, Alpha, Alpha, Alpha) "lobe_ggx_density($0, $1, $2, $3, \
-            $4)" => |x| {
-            GgxDistribution::density(x.f::<R>(), x.f(), x.f(), x.f(), x.f())
+        "ggx_density" (Alpha, Alpha, Alpha, Alpha, Alpha) "lobe_ggx_density($0, \
+            LobeExtent($1, $1 * $1, $1), $2, $3, $4)" => |x| {
+            GgxDistribution::density(x.f::<R>(), extent(x.f()), x.f(), x.f(), x.f())
         };
         "ggx_excess" (Unit, Size) "lobe_ggx_excess($0, $1)" => |x| {
             GgxDistribution::excess(x.f::<R>(), x.f())
@@ -138,9 +146,9 @@ mod owed {
         "ggx_even_area" (Cosine, Size) "lobe_ggx_even_area($0, $1)" => |x| {
             GgxDistribution::even_area(x.f::<R>(), x.f())
         };
-        "beckmann_density" (Alpha, Alpha, Alpha, Alpha, Alpha) "lobe_beckmann_density($0, $1, $2, \
-            $3, $4)" => |x| {
-            BeckmannDistribution::density(x.f::<R>(), x.f(), x.f(), x.f(), x.f())
+        "beckmann_density" (Alpha, Alpha, Alpha, Alpha, Alpha) "lobe_beckmann_density($0, \
+            LobeExtent($1, $1 * $1, $1), $2, $3, $4)" => |x| {
+            BeckmannDistribution::density(x.f::<R>(), extent(x.f()), x.f(), x.f(), x.f())
         };
         "beckmann_excess" (Unit, Size) "lobe_beckmann_excess($0, $1)" => |x| {
             BeckmannDistribution::excess(x.f::<R>(), x.f())
@@ -163,6 +171,7 @@ pub(super) fn all_twins() -> Vec<Twin> {
             over::<D, OfIsotropic>(prefix),
             over::<D, OfAxisAligned>(prefix),
             over::<D, OfAnisotropic>(prefix),
+            over::<D, OfWidened>(prefix),
             over::<D, OfNonCentered>(prefix),
         ]
         .concat()

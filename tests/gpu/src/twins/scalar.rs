@@ -35,20 +35,23 @@ super::twins! {
     };
     "psd_det" (Psd) "lobe_psd_det($0)" => |x| x.psd::<R>().det();
     "psd_trace" (Psd) "lobe_psd_trace($0)" => |x| x.psd::<R>().trace();
-    "psd_is_singular" (Kernel) "select(0.0, 1.0, lobe_psd_is_singular($0.covariance))" => |x| {
+    "psd_entries" (Psd) "lobe_psd_entries($0)" => |x| x.psd::<R>().entries();
+    "psd_root_det" (Psd) "lobe_psd_root_det($0)" => |x| x.psd::<R>().root_det();
+    "psd_is_singular" (Kernel)
+        "select(0.0, 1.0, lobe_psd_is_singular(lobe_kernel_covariance($0)))" => |x| {
         truth::<R>(x.kernel::<R>().covariance().is_singular())
     };
     "psd_mul" (Psd, Any) "lobe_psd_mul($0, $1)" => |x| { let m = x.psd::<R>(); m * x.f() };
-    "psd_add" (Psd, Kernel) "lobe_psd_add($0, $1.covariance)" => |x| {
+    "psd_add" (Psd, Kernel) "lobe_psd_add($0, lobe_kernel_covariance($1))" => |x| {
         let m = x.psd::<R>();
         m + x.kernel().covariance()
     };
     "psd_quadratic" (Psd, Slope) "lobe_psd_quadratic($0, \
         $1)" => |x| { let m = x.psd::<R>(); m.quadratic(x.vec()) };
-    "psd_cholesky" (Psd) "lobe_psd_cholesky($0)" => |x| x.psd::<R>().cholesky();
     "psd_eigen" (Psd) "lobe_psd_eigen($0)" => |x| x.psd::<R>().eigen();
     // Put together again: a matrix that is nearly round has no axis, and the last bit chooses one.
-    "psd_eigen" by "kernel" (Kernel) "put_together(lobe_psd_eigen($0.covariance))" => |x| {
+    "psd_eigen" by "kernel" (Kernel)
+        "put_together(lobe_psd_eigen(lobe_kernel_covariance($0)))" => |x| {
         let Eigen { major, minor, axis: [cos, sin] } = x.kernel::<R>().covariance().eigen();
         [
             major * cos * cos + minor * sin * sin,

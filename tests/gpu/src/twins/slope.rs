@@ -4,7 +4,7 @@ use lobe::slope::direction::{from_disk, half_vector, normal_of, normalize, refle
 use lobe::slope::jacobian::{
     apply, disk_to_slope, reflection_per_normal, slope_per_normal, sphere_to_disk, sphere_to_slope,
 };
-use lobe::slope::ray;
+use lobe::slope::{Whiten, ray};
 use lobe::{
     Anisotropic, AxisAligned, Footprint, Isotropic, Lobe, LobeShape, NonCentered, Path, Real,
     Roughness, SlopeMoments, Vertex,
@@ -171,31 +171,35 @@ super::twins! {
         let a = x.f::<R>();
         Isotropic::new(a).map(|_| a).expect("in range")
     };
-    "isotropic_root_det" (Alpha) "lobe_isotropic_root_det(lobe_isotropic_new($0))" => |x| {
-        isotropic::<R>(x).root_det()
+    "isotropic_new" (Alpha) "lobe_isotropic_new($0).alpha" => |x| isotropic::<R>(x).alpha();
+    "isotropic_extent" (Alpha) "lobe_isotropic_extent(lobe_isotropic_new($0))" => |x| {
+        isotropic::<R>(x).extent()
     };
     "isotropic_form" (Direction) "lobe_isotropic_form($0)" => |x| {
         let shape = Isotropic::new(R::ONE).expect("in range");
-        shape.form(x.vec(), [R::ZERO; 3])
+        shape.form(x.vec())
+    };
+    "isotropic_adjugate_form" (Alpha, Slope)
+        "lobe_isotropic_adjugate_form(lobe_isotropic_new($0), $1)" => |x| {
+        let shape = isotropic::<R>(x);
+        shape.adjugate_form(x.vec())
     };
     "isotropic_stretch_squared" (Alpha, Direction)
         "lobe_isotropic_stretch_squared(lobe_isotropic_new($0), $1)" => |x| {
         let shape = isotropic::<R>(x);
         shape.stretch_squared(x.vec())
     };
-    "axis_aligned_new" (Alphas, Slope) "lobe_axis_aligned_new($0.x, $0.y).inverse_alphas * \
-        lobe_footprint_from_slopes($1, $1).u" => |x| {
-        let shape = axis_aligned::<R>(x);
-        shape.whiten(x.vec(), [R::ZERO; 2])
+    "axis_aligned_new" (Alphas) "lobe_axis_aligned_new($0.x, $0.y).alphas" => |x| {
+        axis_aligned::<R>(x).alphas()
     };
-    "axis_aligned_root_det" (Alphas) "lobe_axis_aligned_root_det(lobe_axis_aligned_new($0.x, \
+    "axis_aligned_extent" (Alphas) "lobe_axis_aligned_extent(lobe_axis_aligned_new($0.x, \
         $0.y))" => |x| {
-        axis_aligned::<R>(x).root_det()
+        axis_aligned::<R>(x).extent()
     };
     "axis_aligned_form" (Alphas, Direction) "lobe_axis_aligned_form(lobe_axis_aligned_new($0.x, \
         $0.y), $1)" => |x| {
         let shape = axis_aligned::<R>(x);
-        shape.form(x.vec(), [R::ZERO; 3])
+        shape.form(x.vec())
     };
     "axis_aligned_stretch_squared" (Alphas, Direction)
         "lobe_axis_aligned_stretch_squared(lobe_axis_aligned_new($0.x, $0.y), $1)" => |x| {
@@ -204,16 +208,19 @@ super::twins! {
     };
     "anisotropic_new" (Roughness, Direction)
         "vec3f(lobe_anisotropic_new($0).root_det, lobe_anisotropic_form(lobe_anisotropic_new($0), \
-            $1, $1), lobe_anisotropic_stretch_squared(lobe_anisotropic_new($0), $1))"
+            $1.xy), lobe_anisotropic_stretch_squared(lobe_anisotropic_new($0), $1))"
         => |x| {
         let shape = Anisotropic::new(x.roughness::<R>());
         let m = x.vec();
-        [shape.root_det(), shape.form(m, m), shape.stretch_squared(m)]
+        [shape.root_det(), shape.form(m), shape.stretch_squared(m)]
+    };
+    "anisotropic_extent" (Roughness) "lobe_anisotropic_extent(lobe_anisotropic_new($0))" => |x| {
+        Anisotropic::new(x.roughness::<R>()).extent()
     };
     "anisotropic_form" (Roughness, Direction) "lobe_anisotropic_form(lobe_anisotropic_new($0), \
-        $1, vec3f(0.0, 0.0, 0.0))" => |x| {
+        $1.xy)" => |x| {
         let shape = Anisotropic::new(x.roughness::<R>());
-        shape.form(x.vec(), [R::ZERO; 3])
+        shape.form(x.vec())
     };
     "anisotropic_whiten" (Roughness, Slope) "lobe_anisotropic_whiten(lobe_anisotropic_new($0), \
         $1, vec2f(0.0, 0.0))" => |x| {
@@ -238,10 +245,31 @@ super::twins! {
         let shape = NonCentered::new(anisotropic, x.vec::<R, 2>()).expect("in range");
         shape.mean_area(x.vec())
     };
-    "non_centered_form" (Lobe, Direction) "lobe_non_centered_form(lobe_lobe_shape($0), $1, \
-        vec3f(0.0, 0.0, 0.0))" => |x| {
+    "widened_new" (Widened, Direction) "lobe_widened_form($0, $1.xy)" => |x| {
+        let shape = x.widened::<R>();
+        shape.form(x.vec())
+    };
+    "widened_extent" (Widened) "lobe_widened_extent($0)" => |x| {
+        x.widened::<R>().extent()
+    };
+    "widened_form" (Widened, Slope) "lobe_widened_form($0, $1)" => |x| {
+        let shape = x.widened::<R>();
+        shape.adjugate_form(x.vec())
+    };
+    "widened_stretch_squared" (Widened, Direction)
+        "lobe_widened_stretch_squared($0, $1)" => |x| {
+        let shape = x.widened::<R>();
+        shape.stretch_squared(x.vec())
+    };
+    "non_centered_relative" (Lobe, Direction)
+        "lobe_non_centered_relative(lobe_lobe_shape($0), $1)" => |x| {
         let shape = non_centered::<R>(x);
-        shape.form(x.vec(), [R::ZERO; 3])
+        shape.relative(x.vec())
+    };
+    "non_centered_form" (Lobe, Direction) "lobe_non_centered_form(lobe_lobe_shape($0), \
+        $1)" => |x| {
+        let shape = non_centered::<R>(x);
+        shape.form(x.vec())
     };
     "non_centered_offset" (Lobe, Slope) "four(lobe_non_centered_offset(lobe_lobe_shape($0), \
         $1))" => |x| {
@@ -256,10 +284,9 @@ super::twins! {
     };
     "lobe_new" (Lobe) "$0" => |x| x.lobe::<R>();
     "lobe_centered" (Roughness) "lobe_lobe_centered($0)" => |x| Lobe::centered(x.roughness::<R>());
-    "lobe_shape" (Lobe, Direction) "lobe_non_centered_form(lobe_lobe_shape($0), $1, $1)" => |x| {
+    "lobe_shape" (Lobe, Direction) "lobe_non_centered_form(lobe_lobe_shape($0), $1)" => |x| {
         let shape = non_centered::<R>(x);
-        let m = x.vec();
-        shape.form(m, m)
+        shape.form(x.vec())
     };
     "slope_moments_new" (Mean, Psd) "lobe_slope_moments_new($0, $1)" => |x| moments::<R>(x);
     "slope_moments_of_slope" (Slope) "lobe_slope_moments_of_slope($0)" => |x| {

@@ -5,9 +5,10 @@ use lobe::material::cells::Patch;
 use lobe::material::glint::{Biscale, Glints};
 use lobe::material::leadr::{Facet, Leadr, Node};
 use lobe::material::multilobe::MultiLobe;
-use lobe::slope::Motion;
+use lobe::slope::{Extent, Motion, Widened};
 use lobe::{
-    Alphas, Eigen, Footprint, Kernel, Lobe, PixelFilter, Psd, Real, Roughness, SlopeMoments, Vertex,
+    Alphas, Eigen, Footprint, Isotropic, Kernel, Lobe, PixelFilter, Psd, Real, Roughness,
+    SlopeMoments, Vertex,
 };
 
 /// Reads a twin's floats in their order, in any precision.
@@ -56,7 +57,13 @@ impl<'a> Reader<'a> {
 
     pub(super) fn kernel<R: Real>(&mut self) -> Kernel<R> {
         let Footprint { u, v } = self.footprint();
-        Kernel::from_covariance(Psd::outer_sum(u, v))
+        Kernel::from_columns(u, v).unwrap_or_default()
+    }
+
+    pub(super) fn widened<R: Real>(&mut self) -> Widened<Isotropic<R>> {
+        let shape = Isotropic::saturating(self.f());
+        let [u, v] = self.kernel().columns();
+        Widened::new(shape, u, v)
     }
 
     pub(super) fn disk<R: Real>(&mut self) -> DiskKernel<R> {
@@ -176,34 +183,26 @@ macro_rules! flat {
     };
 }
 
-fn four<R: Real>(psd: Psd<R>) -> [R; 4] {
-    let [xx, xy, yy] = psd.entries();
-    [xx, xy, yy, psd.root_det()]
-}
-
 flat! {
-    Biscale: "let s = r.spread.psd; put(0u, s.xx); put(1u, s.xy); put(2u, s.yy); put(3u, \
-        s.root_det);
-              let l = r.local.psd; put(4u, l.xx); put(5u, l.xy); put(6u, l.yy); put(7u, \
-              l.root_det);",
-        |x| [four(x.spread().matrix()), four(x.local().matrix())].concat();
-    Psd: "put(0u, r.xx); put(1u, r.xy); put(2u, r.yy); put(3u, r.root_det);", |x| four(x);
-    Roughness: "let m = r.psd; put(0u, m.xx); put(1u, m.xy); put(2u, m.yy); put(3u, m.root_det);",
-        |x| four(x.matrix());
-    Kernel: "let m = r.covariance; put(0u, m.xx); put(1u, m.xy); put(2u, m.yy); put(3u, \
-        m.root_det);",
-        |x| four(x.covariance());
-    DiskKernel: "let m = r.as_slopes.covariance; put(0u, m.xx); put(1u, m.xy); put(2u, m.yy); \
-        put(3u, m.root_det);",
-        |x| four(x.covariance());
-    Lobe: "let m = r.roughness.psd; put(0u, r.mean.x); put(1u, r.mean.y); put(2u, m.xx); put(3u, \
-        m.xy);
-           put(4u, m.yy); put(5u, m.root_det);",
-        |x| x.mean().into_iter().chain(four(x.roughness().matrix()));
-    SlopeMoments: "let m = r.covariance; put(0u, r.mean.x); put(1u, r.mean.y); put(2u, m.xx); \
-        put(3u, m.xy);
-                   put(4u, m.yy); put(5u, m.root_det);",
-        |x| x.mean().into_iter().chain(four(x.covariance()));
+    Biscale: "let s = r.spread.psd; put(0u, s.l_xx); put(1u, s.l_yx); put(2u, s.l_yy);
+              let l = r.local.psd; put(3u, l.l_xx); put(4u, l.l_yx); put(5u, l.l_yy);",
+        |x| [x.spread().matrix().cholesky(), x.local().matrix().cholesky()].concat();
+    Psd: "put(0u, r.l_xx); put(1u, r.l_yx); put(2u, r.l_yy);", |x| x.cholesky();
+    Roughness: "let m = r.psd; put(0u, m.l_xx); put(1u, m.l_yx); put(2u, m.l_yy);",
+        |x| x.matrix().cholesky();
+    Kernel: "put(0u, r.u.x); put(1u, r.u.y); put(2u, r.v.x); put(3u, r.v.y);",
+        |x| x.columns().concat();
+    DiskKernel: "let k = r.as_slopes; put(0u, k.u.x); put(1u, k.u.y); put(2u, k.v.x); \
+        put(3u, k.v.y);",
+        |x| x.as_slopes().columns().concat();
+    Extent: "put(0u, r.root_det); put(1u, r.unit); put(2u, r.scale);",
+        |x| [x.root_det, x.unit, x.scale];
+    Lobe: "let m = r.roughness.psd; put(0u, r.mean.x); put(1u, r.mean.y); put(2u, m.l_xx);
+           put(3u, m.l_yx); put(4u, m.l_yy);",
+        |x| x.mean().into_iter().chain(x.roughness().matrix().cholesky());
+    SlopeMoments: "let m = r.covariance; put(0u, r.mean.x); put(1u, r.mean.y); put(2u, m.l_xx);
+                   put(3u, m.l_yx); put(4u, m.l_yy);",
+        |x| x.mean().into_iter().chain(x.covariance().cholesky());
     Footprint: "put(0u, r.u.x); put(1u, r.u.y); put(2u, r.v.x); put(3u, \
         r.v.y);", |x| [x.u, x.v].concat();
     Eigen: "put(0u, r.major); put(1u, r.minor); put(2u, r.axis.x); put(3u, r.axis.y);",

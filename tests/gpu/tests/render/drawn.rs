@@ -51,8 +51,8 @@ pub(crate) const PLAIN_QUAD: &str = "
 pub(crate) const DISK: &str = "
     let variance = LOBE_PIXEL_FILTER_TOKUYOSHI_KAPLANYAN;
     let kernel = lobe_fragment_disk_kernel(lobe_half_vector(p.wo, p.wi), variance);
-    let covariance = kernel.as_slopes.covariance;
-    return vec4f(covariance.xx, covariance.xy, covariance.yy, covariance.root_det);";
+    let columns = kernel.as_slopes;
+    return vec4f(columns.u.x, columns.u.y, columns.v.x, columns.v.y);";
 
 /// Alpha from the normals of the quad.
 pub(crate) const DEFERRED: &str = "
