@@ -39,6 +39,16 @@ impl Distribution for BeckmannDistribution {
         let a = a2.sqrt();
         R::HALF * a * (-(c * c / a2)).exp() * (c / a).ierfcx()
     }
+
+    /// $|c| + a\,\mathrm{ierfc}(|c|/a)$, without an exponential: visibility needs the sum,
+    /// not what is left of it.
+    #[inline(always)]
+    fn even_area<R: Real>(c: R, a2: R) -> R {
+        let (c, a) = (c.abs(), a2.sqrt());
+        // The root of the smallest number, or so: finite quotients, and no addend for a mirror.
+        let least = R::lit(if R::SINGLE { 1.084_202_172_485_504_4e-19 } else { 1e-154 });
+        c + a * (c / a.max(least)).ierfc()
+    }
 }
 
 impl<S: LobeShape> Ndf<BeckmannDistribution, S> {

@@ -8,7 +8,8 @@ use super::{atan, erfc, exp, ln, math};
 macro_rules! impl_real {
     ($t:ident, $single:literal, $mask:literal, $fraction:literal, $bias:literal, $sqrt:ident,
      $exp:ident, $ln:ident, $atan:ident, $atan2:ident,
-     $upper_angle:ident, $atan_excess:ident, $erfc:ident, $erfcx:ident, $ierfcx:ident) => {
+     $upper_angle:ident, $atan_excess:ident, $erfc:ident, $erfcx:ident, $ierfcx:ident,
+     $ierfc:ident) => {
         impl Internal for $t {
             const SINGLE: bool = $single;
 
@@ -91,6 +92,10 @@ macro_rules! impl_real {
             fn ierfcx(self) -> Self {
                 erfc::$ierfcx(self)
             }
+            #[inline(always)]
+            fn ierfc(self) -> Self {
+                erfc::$ierfc(self)
+            }
         }
     };
 }
@@ -110,7 +115,8 @@ impl_real!(
     atan_excess_f32,
     erfc_f32,
     erfcx_f32,
-    ierfcx_f32
+    ierfcx_f32,
+    ierfc_f32
 );
 impl_real!(
     f64,
@@ -127,5 +133,6 @@ impl_real!(
     atan_excess_f64,
     erfc_f64,
     erfcx_f64,
-    ierfcx_f64
+    ierfcx_f64,
+    ierfc_f64
 );

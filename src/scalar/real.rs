@@ -106,6 +106,11 @@ pub trait Real:
     /// the cancellation of that difference.
     #[doc(alias = "lobe_ierfcx")]
     fn ierfcx(self) -> Self;
+    /// First integral of erfc, $\int_x^\infty \mathrm{erfc}(t)\,dt = e^{-x^2}/\sqrt\pi -
+    /// x\,\mathrm{erfc}(x)$, for $x \ge 0$, as an addend to x: the error is relative to
+    /// their sum, and no exponential is taken.
+    #[doc(alias = "lobe_ierfc")]
+    fn ierfc(self) -> Self;
 }
 
 impl<R: Real> From<R> for Value {

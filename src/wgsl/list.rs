@@ -24,6 +24,7 @@ items! {
     ScalarAtan: file "scalar_atan";
     Erfcx: fn "erfcx", "Real::erfcx";
     Ierfcx: fn "ierfcx", "Real::ierfcx";
+    Ierfc: fn "ierfc", "Real::ierfc";
     Erfc: fn "erfc", "Real::erfc";
     ScalarErfc: file "scalar_erfc";
     ScalarExpint: file "scalar_expint";
@@ -184,7 +185,7 @@ items! {
     NdfGgx: file "ndf_ggx";
     BeckmannDensity: fn "beckmann_density", "BeckmannDistribution::density";
     BeckmannExcess: fn "beckmann_excess", "BeckmannDistribution::excess";
-    BeckmannEvenArea: fn "beckmann_even_area", "Distribution::even_area";
+    BeckmannEvenArea: fn "beckmann_even_area", "BeckmannDistribution::even_area";
     BeckmannSlopePdf: fn "beckmann_slope_pdf", "Ndf::slope_pdf";
     BeckmannD: fn "beckmann_d", "Ndf::d";
     BeckmannBrdf: fn "beckmann_brdf", "Ndf::brdf";

@@ -166,6 +166,7 @@ def report(name, fit, bits, where=lambda v: v):
     for c in coefs:
         print(f"    {literal(c, bits)},")
     print("];", flush=True)
+    return coefs
 
 
 # --- the fits --------------------------------------------------------------
@@ -257,6 +258,27 @@ def fit_erfcx(name, bits, degree, pole):
 def fit_ierfcx(name, bits, degree, pole):
     """ierfcx(x) (1/2 + 7/8 x + x^2)."""
     fit_half_line(name, bits, degree, pole, ierfcx, lambda x: x * (x + 0.875) + 0.5, mpf(1) / 2)
+
+
+def fit_ierfc(name, bits, degree, cut):
+    """ierfc(v)^(1/4) in v, 0 <= v <= cut; error of the fourth power relative to v + ierfc(v).
+
+    The root is nearly straight, and its errors hardly matter where it is small. From the cut on
+    the power keeps its value there: the last line says what that errs by.
+    """
+
+    def whole(v):
+        with mp.extradps(10):
+            return mp.exp(-v * v) * ierfcx(v)
+
+    def root(v):
+        return mp.sqrt(mp.sqrt(whole(v)))
+
+    fit = Fit(root, lambda v: 4 * root(v) ** 3 / (v + whole(v)), 0, cut, degree)
+    coefs = report(name, fit, bits)
+    wrong = lambda v: abs(horner(coefs, min(v, cut)) ** 4 - whole(v)) / (v + whole(v))
+    at = max((cut * mpf(i) / 1000 for i in range(2001)), key=wrong)
+    print(f"// of the fourth power: {mp.nstr(wrong(at), 3)} at {mp.nstr(at, 4)}", flush=True)
 
 
 def fit_half_turn(name, bits, degree):
@@ -418,6 +440,8 @@ FITS = {
     "quantile": lambda n: fit_quantile(n, SINGLE, 9),
     "half_turn": lambda n: fit_half_turn(n, SINGLE, 4),
     "ierfcx_f64": lambda n: fit_ierfcx(n, DOUBLE, 26, 4),
+    "ierfc_f32": lambda n: fit_ierfc(n, SINGLE, 8, mpf(29) / 8),
+    "ierfc_f64": lambda n: fit_ierfc(n, DOUBLE, 22, mpf(45) / 8),
 }
 
 if __name__ == "__main__":

@@ -84,3 +84,24 @@ fn erfc_and_its_scaled_form_err_as_stated() {
     holds(4.5, if right.0 > left.0 { right } else { left });
     holds(3.2, worst(1e-8, 1e6, 1.0, Real::erfcx, pxfm::f_erfcx));
 }
+
+/// The difference of the definition, of scaled terms: it cancels to 1e-13 at most.
+fn ierfc(v: f64) -> f64 {
+    let root = core::f64::consts::FRAC_2_SQRT_PI / 2.0;
+    pxfm::f_exp(-v * v) * (root - v * pxfm::f_erfcx(v))
+}
+
+#[test]
+fn the_integral_of_erfc_errs_as_stated_as_an_addend() {
+    let mut worst = (0.0, 0.0);
+    for bits in (1e-6_f32.to_bits()..=30_f32.to_bits()).step_by(31) {
+        let v = f32::from_bits(bits);
+        let x = f64::from(v);
+        let error = (f64::from(v.ierfc()) - ierfc(x)).abs() / (x + ierfc(x));
+        if error > worst.0 {
+            worst = (error, x);
+        }
+    }
+    let (error, x) = worst;
+    assert!(error <= 4e-7 && error >= 0.85 * 4e-7, "{error:e} at {x:e}, stated: 4e-7");
+}

@@ -187,7 +187,7 @@ macro_rules! function {
 /// which tests/laws/scalar.rs holds.
 #[test]
 fn functions_pass_errors_on() {
-    let functions: [Function; 8] = [
+    let functions: [Function; 9] = [
         function!(sqrt),
         function!(exp),
         function!(ln),
@@ -195,6 +195,7 @@ fn functions_pass_errors_on() {
         function!(erfc),
         function!(erfcx),
         function!(ierfcx),
+        function!(ierfc),
         function!(atan_excess),
     ];
     for (name, single, rounded, exact) in functions {

@@ -169,7 +169,7 @@ impl Real for Counted {
     }
     functions!(
         sqrt roots, exp transcendental, ln transcendental, atan transcendental, erfc transcendental,
-        erfcx transcendental, ierfcx transcendental
+        erfcx transcendental, ierfcx transcendental, ierfc transcendental
     );
     fn atan2(self, x: Self) -> Self {
         note(|done| &mut done.transcendental);

@@ -184,7 +184,7 @@ impl Real for Fused {
     }
     functions!(
         exp exp::exp_f32, ln ln::ln_f32, atan atan::atan_f32, erfc erfc::erfc_f32,
-        erfcx erfc::erfcx_f32, ierfcx erfc::ierfcx_f32
+        erfcx erfc::erfcx_f32, ierfcx erfc::ierfcx_f32, ierfc erfc::ierfc_f32
     );
     fn atan2(self, x: Self) -> Self {
         atan::atan2_f32(self, x).kept()

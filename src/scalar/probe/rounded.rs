@@ -300,4 +300,12 @@ impl Real for Rounded {
         let slope = (least.erfcx() - 2.0 * least * least.ierfcx()).abs();
         Self::scaled(Real::ierfcx(self.value), 8.0, slope * self.units(), false)
     }
+    // Its own error is a part of x + ierfc(x), up to where it is constant.
+    fn ierfc(self) -> Self {
+        let (x, error) = self.parts();
+        let value = Real::ierfc(self.value);
+        let slope = Real::erfc((x - error).max(0.0));
+        let own = 7.0 * (x.min(4.0) + f64::from(value));
+        Self::result(value, 0.0, own + slope * self.units())
+    }
 }

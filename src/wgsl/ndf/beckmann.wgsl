@@ -21,9 +21,11 @@ fn lobe_beckmann_excess(c: f32, stretch_squared: f32) -> f32 {
     return lobe_defined(0.5 * a * lobe_exp(-(c * c / square)) * lobe_ierfcx(c / a));
 }
 
-// Rust: `Distribution::even_area`. 0 for NaN.
+// Rust: `BeckmannDistribution::even_area`. 0 for NaN.
 fn lobe_beckmann_even_area(c: f32, stretch_squared: f32) -> f32 {
-    return lobe_defined(abs(c) + 2.0 * lobe_beckmann_excess(abs(c), stretch_squared));
+    let size = abs(c);
+    let a = sqrt(stretch_squared);
+    return lobe_defined(size + a * lobe_ierfc(size / lobe_max(a, 1.0842022e-19)));
 }
 
 // Rust: `Ndf::slope_pdf`, of a shape's answers at (-slope, 1).
