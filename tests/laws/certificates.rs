@@ -85,7 +85,8 @@ fn erfc_and_its_scaled_form_err_as_stated() {
     holds(3.2, worst(1e-8, 1e6, 1.0, Real::erfcx, pxfm::f_erfcx));
 }
 
-/// The difference of the definition, of scaled terms: it cancels to 1e-13 at most.
+/// The definition with scaled terms: up to 30 the difference costs a thousandfold at most, and the
+/// factor before it is far smaller where it does.
 fn ierfc(v: f64) -> f64 {
     let root = core::f64::consts::FRAC_2_SQRT_PI / 2.0;
     pxfm::f_exp(-v * v) * (root - v * pxfm::f_erfcx(v))
@@ -103,5 +104,5 @@ fn the_integral_of_erfc_errs_as_stated_as_an_addend() {
         }
     }
     let (error, x) = worst;
-    assert!(error <= 4e-7 && error >= 0.85 * 4e-7, "{error:e} at {x:e}, stated: 4e-7");
+    assert!((0.85 * 4e-7..=4e-7).contains(&error), "{error:e} at {x:e}, stated: 4e-7");
 }

@@ -3,7 +3,7 @@
 use crate::common::arbitrary::Source;
 use crate::common::reference::{Known, area_by_quadrature, stretch};
 use crate::common::{ULP, check, ensure, near};
-use lobe::ndf::{BeckmannDistribution, GgxDistribution};
+use lobe::ndf::{BeckmannDistribution, Distribution as _, GgxDistribution};
 use lobe::{Footprint, Ggx, LobeShape, Ndf, Real};
 use proptest::test_runner::TestCaseResult;
 
@@ -112,6 +112,27 @@ fn shadowing_follows_from_lambda_and_never_exceeds_masking() {
     check(20_000, pairs_agree::<BeckmannDistribution, f64>);
     check(20_000, pairs_agree::<GgxDistribution, f32>);
     check(20_000, pairs_agree::<BeckmannDistribution, f32>);
+}
+
+/// The even area of a mirror is |c|, at the horizon as well; of a direction along the plane it is
+/// a/sqrt(pi). Never NaN, and no less than |c|.
+fn even_areas_at_the_edges<R: Real>() {
+    let area = |c: f64, a2: f64| BeckmannDistribution::even_area(R::lit(c), R::lit(a2)).to_f64();
+    for c in [0.0, 1e-30, 1e-3, 1.0, 1e9] {
+        let c = R::lit(c).to_f64();
+        assert_eq!((area(c, 0.0), area(-c, 0.0)), (c, c));
+        for a2 in [1e-37, 1e-18, 1.0, 1e18] {
+            assert!(area(c, a2) >= c && area(c, a2) == area(-c, a2), "{c:e} {a2:e}");
+        }
+    }
+    let want = core::f64::consts::FRAC_2_SQRT_PI / 2.0;
+    assert!((area(0.0, 1.0) - want).abs() < 4.0 * R::EPSILON.to_f64());
+}
+
+#[test]
+fn even_areas_have_their_values_at_the_edges() {
+    even_areas_at_the_edges::<f64>();
+    even_areas_at_the_edges::<f32>();
 }
 
 /// Lambda depends on w_xy/w_z alone, so w need not have unit length. Monotone to rounding.
