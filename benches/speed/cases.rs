@@ -1,22 +1,38 @@
 //! What is timed: each case is one pass over all samples, as a plain loop.
 //!
-//! Shapes are built beforehand where a case is named for its evaluation, as an engine's material or
-//! decoded G-buffer has them; `per_sample` cases build them inside.
+//! Evaluations are in `evaluations`, over columns. Here are the means over footprints by regime,
+//! whose shapes are built beforehand, as an engine's material or decoded G-buffer has them.
 
+use super::limit::Operations;
 use super::samples::{COUNT, Regime, Sample, samples};
-use super::{glints, hand_written, maps};
-use lobe::filter::{self, DiskKernel};
-use lobe::{
-    Anisotropic, AxisAligned, Beckmann, Footprint, Ggx, Isotropic, Kernel, NonCentered,
-    PixelFilter, Roughness,
-};
+use super::{evaluations, glints, hand_written, maps};
+use lobe::{Anisotropic, AxisAligned, Footprint, Ggx, Isotropic, Roughness, filter};
 use std::hint::black_box;
+
+/// The group whose rows go by their names alone.
+pub(crate) const EVALUATION: &str = "evaluation";
 
 /// One pass over all samples.
 pub(crate) struct Case {
     pub(crate) group: &'static str,
     pub(crate) name: &'static str,
     pub(crate) pass: Box<dyn FnMut()>,
+    /// What the machine needs at least.
+    pub(crate) limit: Option<Limit>,
+}
+
+/// A loop that does nothing but the divisions, roots, loads and stores of a case.
+pub(crate) struct Limit {
+    pub(crate) operations: Operations,
+    pub(crate) pass: Box<dyn FnMut()>,
+}
+
+impl Case {
+    /// The name in the table: with its group, unless it is an evaluation.
+    pub(crate) fn row_name(&self) -> String {
+        let Self { group, name, .. } = self;
+        if *group == EVALUATION { (*name).to_owned() } else { format!("{group}/{name}") }
+    }
 }
 
 /// A case from inputs and a function of one of them.
@@ -35,10 +51,8 @@ pub(crate) fn case<T: 'static>(
         }
         black_box(&out);
     };
-    Case { group, name, pass: Box::new(pass) }
+    Case { group, name, pass: Box::new(pass), limit: None }
 }
-
-type Vector = [f32; 3];
 
 fn isotropic(s: &Sample) -> Isotropic<f32> {
     Isotropic::new(s.alphas[0]).expect("a valid alpha")
@@ -50,62 +64,6 @@ fn axis_aligned(s: &Sample) -> AxisAligned<f32> {
 
 fn anisotropic(s: &Sample) -> Anisotropic<f32> {
     Anisotropic::new(Roughness::from_matrix(s.matrix))
-}
-
-/// D at the half vector, with visibility: the BRDF without Fresnel.
-fn shading() -> Vec<Case> {
-    const GROUP: &str = "shading";
-    let samples = samples(Regime::Mixed);
-    let with = |pick: fn(&Sample) -> f32| -> Vec<(f32, Vector, Vector)> {
-        samples.iter().map(|s| (pick(s), s.wo, s.wi)).collect()
-    };
-    let pairs: Vec<([f32; 2], Vector, Vector)> =
-        samples.iter().map(|s| (s.alphas, s.wo, s.wi)).collect();
-    let round: Vec<_> = samples.iter().map(|s| (isotropic(s), s.wo, s.wi)).collect();
-    let aligned: Vec<_> = samples.iter().map(|s| (axis_aligned(s), s.wo, s.wi)).collect();
-    let any: Vec<_> = samples.iter().map(|s| (anisotropic(s), s.wo, s.wi)).collect();
-    let non_centered: Vec<_> = samples
-        .iter()
-        .map(|s| (NonCentered::new(anisotropic(s), s.mean).expect("a valid mean"), s.wo, s.wi))
-        .collect();
-    let alpha = |s: &Sample| s.alphas[0];
-    let filtered: Vec<_> = samples
-        .iter()
-        .map(|s| {
-            let roughness = Roughness::from_alpha(s.alphas[0]).expect("a valid alpha");
-            (roughness, s.footprint, s.wo, s.wi)
-        })
-        .collect();
-    vec![
-        case(GROUP, "isotropic_by_hand", with(alpha), |&(a, wo, wi)| {
-            hand_written::isotropic(a, wo, wi)
-        }),
-        case(GROUP, "isotropic", round.clone(), |&(shape, wo, wi)| Ggx::new(shape).brdf(wo, wi)),
-        case(GROUP, "isotropic_per_sample", with(alpha), |&(a, wo, wi)| {
-            Isotropic::new(a).map_or(f32::NAN, |shape| Ggx::new(shape).brdf(wo, wi))
-        }),
-        case(GROUP, "axis_aligned_by_hand", pairs, |&(a, wo, wi)| {
-            hand_written::axis_aligned(a, wo, wi)
-        }),
-        case(GROUP, "axis_aligned", aligned, |&(shape, wo, wi)| Ggx::new(shape).brdf(wo, wi)),
-        case(GROUP, "anisotropic", any, |&(shape, wo, wi)| Ggx::new(shape).brdf(wo, wi)),
-        case(GROUP, "non_centered", non_centered, |&(shape, wo, wi)| Ggx::new(shape).brdf(wo, wi)),
-        case(GROUP, "beckmann_isotropic", round, |&(shape, wo, wi)| {
-            Beckmann::new(shape).brdf(wo, wi)
-        }),
-        case(GROUP, "variance_addition", filtered.clone(), |&(roughness, footprint, wo, wi)| {
-            let widened = roughness.widened(&Kernel::of(&footprint, PixelFilter::BOX));
-            Ggx::new(Anisotropic::new(widened)).brdf(wo, wi)
-        }),
-        case(GROUP, "peak_fitted", filtered.clone(), |&(roughness, footprint, wo, wi)| {
-            let widened = roughness.peak_fitted(&Kernel::of(&footprint, PixelFilter::BOX));
-            Ggx::new(Anisotropic::new(widened)).brdf(wo, wi)
-        }),
-        case(GROUP, "projected_space", filtered, |&(roughness, footprint, wo, wi)| {
-            let kernel = DiskKernel::of(footprint.u, footprint.v, PixelFilter::BOX);
-            Ggx::new(Anisotropic::new(roughness.widened_on_disk(&kernel))).brdf(wo, wi)
-        }),
-    ]
 }
 
 /// The mean of GGX over a footprint: the exact parallelogram against Appendix A's rectangle around
@@ -138,7 +96,7 @@ fn footprints(regime: Regime) -> Vec<Case> {
 
 /// Every case of the bench.
 pub(crate) fn all() -> Vec<Case> {
-    let mut cases = shading();
+    let mut cases = evaluations::rows();
     for regime in Regime::ALL {
         cases.extend(footprints(regime));
     }

@@ -11,7 +11,7 @@ pub(crate) const GROUP: &str = "maps";
 
 /// A pass that is no loop over samples.
 fn whole(name: &'static str, pass: impl FnMut() + 'static) -> Case {
-    Case { group: GROUP, name, pass: Box::new(pass) }
+    Case { group: GROUP, name, pass: Box::new(pass), limit: None }
 }
 
 /// A case for each step from texels to radiance. A map has as many texels as other cases have

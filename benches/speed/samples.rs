@@ -47,6 +47,8 @@ pub(crate) struct Sample {
     pub(crate) wo: [f32; 3],
     pub(crate) wi: [f32; 3],
     pub(crate) alphas: [f32; 2],
+    /// How far the axis of the first alpha is turned in `matrix`.
+    pub(crate) angle: f32,
     pub(crate) matrix: Psd<f32>,
     pub(crate) mean: [f32; 2],
     pub(crate) slope: [f32; 2],
@@ -105,7 +107,7 @@ pub(crate) fn samples(regime: Regime) -> Vec<Sample> {
             };
             let footprint = Footprint::from_slopes(side(u_range), side(v_range));
             let mean = random.turn().map(|c| 0.3 * c);
-            Sample { wo, wi: reflect(wo, wm), alphas, matrix, mean, slope, footprint }
+            Sample { wo, wi: reflect(wo, wm), alphas, angle, matrix, mean, slope, footprint }
         })
         .collect()
 }
