@@ -86,9 +86,13 @@ fn widened<D: Distribution, R: Real>(
     roughness: Result<Roughness<R>, Error>,
     footprint: [R; 4],
 ) -> R {
-    roughness.map_or_else(refused, |roughness| {
-        shaded::<D, _>(pair, Anisotropic::new(roughness.widened(&kernel(footprint))))
-    })
+    // Not by a closure: the rows would share it, and call it.
+    match roughness {
+        Ok(roughness) => {
+            shaded::<D, _>(pair, Anisotropic::new(roughness.widened(&kernel(footprint))))
+        }
+        Err(error) => refused(error),
+    }
 }
 
 #[inline(always)]
@@ -98,8 +102,15 @@ fn widened_tilted<D: Distribution, R: Real>(
     roughness: Result<Roughness<R>, Error>,
     footprint: [R; 4],
 ) -> R {
-    let lobe = roughness.and_then(|roughness| Lobe::new(mean, roughness));
-    lobe.map_or_else(refused, |lobe| shaded::<D, _>(pair, lobe.widened(&kernel(footprint)).shape()))
+    // Not by closures: the rows would share them, and call them.
+    let lobe = match roughness {
+        Ok(roughness) => Lobe::new(mean, roughness),
+        Err(error) => Err(error),
+    };
+    match lobe {
+        Ok(lobe) => shaded::<D, _>(pair, lobe.widened(&kernel(footprint)).shape()),
+        Err(error) => refused(error),
+    }
 }
 
 #[inline(always)]

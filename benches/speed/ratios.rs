@@ -100,13 +100,19 @@ fn rival(cases: &[Case], case: &Case) -> String {
 const ROUNDS: usize = 101;
 const PASSES: u32 = 4;
 
+/// Slow rows have one pass in a turn, and fewer rounds: what these seconds have room for, but as
+/// many as a median needs.
+const SLOW: f64 = 1e-3;
+const SECONDS: f64 = 0.25;
+const FEWEST: usize = 7;
+
 /// Nanoseconds per sample of a few passes.
-fn turn(pass: &mut dyn FnMut()) -> f64 {
+fn turn(pass: &mut dyn FnMut(), passes: u32) -> f64 {
     let start = Instant::now();
-    for _ in 0..PASSES {
+    for _ in 0..passes {
         pass();
     }
-    start.elapsed().as_nanos() as f64 / f64::from(PASSES) / COUNT as f64
+    start.elapsed().as_nanos() as f64 / f64::from(passes) / COUNT as f64
 }
 
 fn median(values: impl IntoIterator<Item = f64>) -> f64 {
@@ -146,14 +152,18 @@ pub(crate) fn compare(cases: &mut [Case], name: &str, over: &str) -> Row {
         found.unwrap_or_else(|| panic!("no row {name}"))
     };
     let (own, other) = (place(name), place(over));
-    let rounds: Vec<[f64; 3]> = (0..ROUNDS)
-        .map(|_| {
-            let time = turn(&mut cases[own].pass);
-            let rival = turn(&mut cases[other].pass);
-            let limit = cases[own].limit.as_mut().map_or(0.0, |limit| turn(&mut limit.pass));
-            [time, rival, limit]
-        })
-        .collect();
+    // The first pass brings code and data into the caches.
+    let first = turn(&mut cases[own].pass, 1) + turn(&mut cases[other].pass, 1);
+    let passes = if first * 1e-9 * COUNT as f64 > SLOW { 1 } else { PASSES };
+    let start = Instant::now();
+    let mut rounds: Vec<[f64; 3]> = Vec::new();
+    while rounds.len() < FEWEST || rounds.len() < ROUNDS && start.elapsed().as_secs_f64() < SECONDS
+    {
+        let time = turn(&mut cases[own].pass, passes);
+        let rival = turn(&mut cases[other].pass, passes);
+        let limit = cases[own].limit.as_mut().map_or(0.0, |limit| turn(&mut limit.pass, passes));
+        rounds.push([time, rival, limit]);
+    }
     let least = cases[own].limit.as_ref().map(|limit| Least {
         limit_ns: median(rounds.iter().map(|[_, _, limit]| *limit)),
         fraction: median(rounds.iter().map(|[time, _, limit]| limit / time)),
