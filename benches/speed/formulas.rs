@@ -8,8 +8,8 @@ use super::columns::Pair;
 use lobe::filter::DiskKernel;
 use lobe::ndf::GgxDistribution;
 use lobe::{
-    Anisotropic, AxisAligned, Distribution, Error, Footprint, Ggx, Isotropic, Kernel, Lobe,
-    LobeShape, Ndf, NonCentered, PixelFilter, Psd, Real, Roughness,
+    Anisotropic, AxisAligned, Distribution, Error, Footprint, Ggx, Isotropic, Kernel, LobeShape,
+    Ndf, NonCentered, PixelFilter, Psd, Real, Roughness,
 };
 
 /// What stands for a refused parameter.
@@ -103,12 +103,14 @@ fn widened_tilted<D: Distribution, R: Real>(
     footprint: [R; 4],
 ) -> R {
     // Not by closures: the rows would share them, and call them.
-    let lobe = match roughness {
-        Ok(roughness) => Lobe::new(mean, roughness),
+    let tilted = match roughness {
+        Ok(roughness) => {
+            NonCentered::new(Anisotropic::new(roughness.widened(&kernel(footprint))), mean)
+        }
         Err(error) => Err(error),
     };
-    match lobe {
-        Ok(lobe) => shaded::<D, _>(pair, lobe.widened(&kernel(footprint)).shape()),
+    match tilted {
+        Ok(shape) => shaded::<D, _>(pair, shape),
         Err(error) => refused(error),
     }
 }

@@ -143,7 +143,7 @@ fn no_line_is_longer_than_declared() {
     let width: usize = width.and_then(|number| number.parse().ok()).expect("a number of columns");
     let mut files = Vec::new();
     for folder in ["src", "tests", "benches", "examples", "fuzz/fuzz_targets"] {
-        for extension in ["rs", "wgsl", "py", "hpp", "html", "css"] {
+        for extension in ["rs", "wgsl", "py", "hpp", "cpp", "html", "css"] {
             files.extend(files_below(&root.join(folder), extension));
         }
     }
