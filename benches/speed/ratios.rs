@@ -100,9 +100,12 @@ fn rival(cases: &[Case], case: &Case) -> String {
 const ROUNDS: usize = 101;
 const PASSES: u32 = 4;
 
-/// Slow rows have one pass in a turn, and fewer rounds: what these seconds have room for, but as
-/// many as a median needs.
-const SLOW: f64 = 1e-3;
+/// Rows that are slower than this, in seconds for a pass of both sides, have one pass in a turn:
+/// other programs on the core interrupt long turns more often than short ones.
+const SLOW: f64 = 2e-4;
+
+/// Seconds for a row, which has fewer rounds where these do not suffice, but as many as a median
+/// needs.
 const SECONDS: f64 = 0.25;
 const FEWEST: usize = 7;
 
@@ -188,7 +191,7 @@ fn line(row: &Row) -> String {
         format!("{counts} {:6.2} ns  {:.2}", least.limit_ns, least.fraction)
     });
     let rival = format!("{over}{mark}");
-    format!("{name:32} {ns:8.2} ns {ratio:7.2} x {rival:28} {limit}").trim_end().to_owned()
+    format!("{name:36} {ns:8.2} ns {ratio:7.2} x {rival:28} {limit}").trim_end().to_owned()
 }
 
 /// Measures and prints every row.
