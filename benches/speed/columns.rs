@@ -109,8 +109,8 @@ fn count(
 }
 
 impl Inputs {
-    /// A row whose parameters, `pick`ed of each sample, become a shape inside the loop; from a function of
-    /// f32, and the same of numbers that count.
+    /// A row whose parameters, `pick`ed of each sample, become a shape inside the loop; from a
+    /// function of f32, and the same of numbers that count.
     pub(crate) fn row<const N: usize>(
         &self,
         name: &'static str,
