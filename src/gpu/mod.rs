@@ -12,7 +12,7 @@
 //! use lobe::{Lobe, Roughness, gpu};
 //! let lobe = Lobe::new([0.2_f32, 0.0], Roughness::from_alpha(0.1)?)?;
 //! let material = [gpu::NonCentered::from(lobe)];
-//! assert_eq!(bytemuck::cast_slice::<_, u8>(&material).len(), 40);
+//! assert_eq!(bytemuck::cast_slice::<_, u8>(&material).len(), 24);
 //! # Ok::<(), lobe::Error>(())
 //! ```
 
