@@ -1,13 +1,13 @@
 //! The rows of evaluations: GGX and Beckmann over every shape, filtered or not, each one loop over
 //! columns.
 //!
-//! Shapes are built inside the loop; `full`, `tilted`, `tree` and `baked` rows read shapes that
-//! were built before, of which only a mean is added inside.
+//! Shapes are built inside the loop, of alphas or of factors; `tree` and `baked` rows read shapes
+//! that were built before.
 
 use super::cases::Case;
 use super::columns::Inputs;
 use super::formulas::{
-    axis_aligned, brdf_over, full, isotropic, parallelogram, peak_fitted, tilted,
+    axis_aligned, brdf_over, full, isotropic, parallelogram, peak_fitted, peak_fitted_full, tilted,
     tilted_axis_aligned, tilted_isotropic, widened_axis_aligned, widened_full, widened_isotropic,
     widened_on_disk, widened_tilted_axis_aligned, widened_tilted_full, widened_tilted_isotropic,
 };
@@ -30,8 +30,8 @@ fn alphas(s: &Sample) -> [f32; 2] {
     s.alphas
 }
 
-fn matrix(s: &Sample) -> [f32; 3] {
-    s.matrix.entries()
+fn factor(s: &Sample) -> [f32; 3] {
+    s.matrix.cholesky()
 }
 
 fn mean(s: &Sample) -> [f32; 2] {
@@ -73,14 +73,7 @@ macro_rules! shapes {
                 axis_aligned::<$d, _>,
                 axis_aligned::<$d, _>,
             ),
-            $inputs.baked_row(
-                concat!($name, "_full"),
-                |_| [],
-                any,
-                full::<$d, _>,
-                any,
-                full::<$d, _>,
-            ),
+            $inputs.row(concat!($name, "_full"), factor, full::<$d, _>, full::<$d, _>),
             $inputs.row(
                 concat!($name, "_tilted_isotropic"),
                 joined!(alpha, mean),
@@ -93,12 +86,10 @@ macro_rules! shapes {
                 tilted_axis_aligned::<$d, _>,
                 tilted_axis_aligned::<$d, _>,
             ),
-            $inputs.baked_row(
+            $inputs.row(
                 concat!($name, "_tilted"),
-                mean,
-                any,
+                joined!(factor, mean),
                 tilted::<$d, _>,
-                any,
                 tilted::<$d, _>,
             ),
             $inputs.row(
@@ -115,7 +106,7 @@ macro_rules! shapes {
             ),
             $inputs.row(
                 concat!($name, "_widened_full"),
-                joined!(matrix, footprint),
+                joined!(factor, footprint),
                 widened_full::<$d, _>,
                 widened_full::<$d, _>,
             ),
@@ -133,7 +124,7 @@ macro_rules! shapes {
             ),
             $inputs.row(
                 concat!($name, "_widened_tilted"),
-                joined!(matrix, mean, footprint),
+                joined!(factor, mean, footprint),
                 widened_tilted_full::<$d, _>,
                 widened_tilted_full::<$d, _>,
             ),
@@ -156,11 +147,17 @@ pub(crate) fn rows() -> Vec<Case> {
         ),
         inputs.row(
             "ggx_widened_on_disk",
-            joined!(matrix, footprint),
+            joined!(alpha, footprint),
             widened_on_disk,
             widened_on_disk,
         ),
-        inputs.row("ggx_peak_fitted", joined!(matrix, footprint), peak_fitted, peak_fitted),
+        inputs.row("ggx_peak_fitted", joined!(alpha, footprint), peak_fitted, peak_fitted),
+        inputs.row(
+            "ggx_peak_fitted_full",
+            joined!(factor, footprint),
+            peak_fitted_full,
+            peak_fitted_full,
+        ),
         inputs.baked_row(
             "ggx_parallelogram_tree",
             joined!(slope, footprint),

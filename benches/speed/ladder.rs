@@ -23,9 +23,10 @@ const STEPS: [(&str, [&str; 4]); 3] = [
 ];
 
 /// Other rows that stand below, and what they are.
-const OTHERS: [(&str, &str); 8] = [
-    ("ggx_widened_on_disk", "GGX, any A, widened on the projected disk"),
-    ("ggx_peak_fitted", "GGX, any A, widened to the right peak"),
+const OTHERS: [(&str, &str); 9] = [
+    ("ggx_widened_on_disk", "GGX, isotropic, widened on the projected disk"),
+    ("ggx_peak_fitted", "GGX, isotropic, widened to the right peak"),
+    ("ggx_peak_fitted_full", "GGX, any A, widened to the right peak"),
     ("ggx_parallelogram_tree", "GGX, any A: the mean over a parallelogram"),
     ("ggx_brdf_over_tree", "GGX, any A: the BRDF over a parallelogram"),
     ("ggx_axis_aligned_aos", "GGX, axis-aligned, over records"),

@@ -51,7 +51,7 @@ impl<R: Real> Kernel<R> {
     #[doc(alias = "lobe_kernel_widen")]
     #[inline(always)]
     pub fn widen<S: LobeShape<Scalar = R>>(&self, shape: S) -> Widened<S> {
-        let [u, v] = self.added();
+        let [u, v] = self.columns();
         Widened::new(shape, u, v)
     }
 }

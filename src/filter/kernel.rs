@@ -88,7 +88,7 @@ impl PixelFilter {
 #[doc(alias = "lobe_kernel_add")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Kernel<R> {
-    /// Columns with $\Sigma_K = u u^T + v v^T$.
+    /// Columns with $2 \Sigma_K = u u^T + v v^T$.
     u: [R; 2],
     v: [R; 2],
 }
@@ -97,30 +97,30 @@ impl<R: Real> Kernel<R> {
     /// The Gaussian kernel of a footprint under a pixel filter.
     ///
     /// Total and without a branch, for loops over pixels. Footprints of grazing half vectors have
-    /// no bound: deviations beyond $10^9$ count as that, as squares would overflow f32, and so do
-    /// those without a number.
+    /// no bound: where a matrix is made of the kernel, deviations beyond $10^9$ count as that, as
+    /// squares would overflow f32, and so do those without a number. A lobe that
+    /// [`Kernel::widen`] makes of such a kernel has density 0.
     #[doc(alias = "lobe_kernel_of")]
     #[inline(always)]
     pub fn of(footprint: &Footprint<R>, filter: PixelFilter) -> Self {
-        Self { u: footprint.u, v: footprint.v }.scaled(R::lit(filter.variance).sqrt())
+        let factor = (R::TWO * R::lit(filter.variance)).sqrt();
+        Self { u: footprint.u, v: footprint.v }.scaled(factor)
     }
 
-    /// The columns times a factor that is not negative, brought into $[-10^9, 10^9]$.
     #[inline(always)]
     fn scaled(&self, factor: R) -> Self {
-        let scaled = |x: R| (x * factor).max(-R::LARGEST).min(R::LARGEST);
-        Self { u: self.u.map(scaled), v: self.v.map(scaled) }
+        Self { u: self.u.map(|x| x * factor), v: self.v.map(|x| x * factor) }
     }
 
     /// A kernel of this covariance: an area light, a depth of field, a normal map's spread.
     #[doc(alias = "lobe_kernel_from_covariance")]
     #[inline]
-    pub const fn from_covariance(covariance: Psd<R>) -> Self {
-        let [u, v] = covariance.columns();
+    pub fn from_covariance(covariance: Psd<R>) -> Self {
+        let [u, v] = (covariance * R::TWO).columns();
         Self { u, v }
     }
 
-    /// A kernel with $\Sigma_K = u u^T + v v^T$.
+    /// A kernel that adds $u u^T + v v^T$ to a roughness matrix: $2 \Sigma_K$.
     ///
     /// # Errors
     /// [`Error::Column`] unless all components lie in $[-10^9, 10^9]$.
@@ -141,22 +141,23 @@ impl<R: Real> Kernel<R> {
     #[doc(alias = "lobe_kernel_covariance")]
     #[inline]
     pub fn covariance(&self) -> Psd<R> {
-        Psd::outer_sum(self.u, self.v)
+        let [u, v] = self.added();
+        Psd::outer_sum(u, v) * R::HALF
     }
 
-    /// Two columns whose outer products sum to the covariance: the footprint's sides times the
-    /// filter's deviation, or the factor of [`Kernel::from_covariance`].
+    /// Two columns whose outer products sum to $2 \Sigma_K$, what the kernel adds to a roughness
+    /// matrix: the footprint's sides times $\sqrt 2$ of the filter's deviation, or the factor of a
+    /// covariance times $\sqrt 2$.
     #[inline(always)]
     pub const fn columns(&self) -> [[R; 2]; 2] {
         [self.u, self.v]
     }
 
-    /// Two columns of $2 \Sigma_K$, what the kernel adds to a roughness matrix.
-    #[doc(alias = "lobe_kernel_added")]
+    /// The columns within the range of slopes, of which matrices are made.
     #[inline(always)]
-    pub(super) fn added(&self) -> [[R; 2]; 2] {
-        let root = R::TWO.sqrt();
-        [self.u.map(|x| x * root), self.v.map(|x| x * root)]
+    pub(crate) fn added(&self) -> [[R; 2]; 2] {
+        let within = |x: R| x.max(-R::LARGEST).min(R::LARGEST);
+        [self.u.map(within), self.v.map(within)]
     }
 
     /// The footprint that this kernel is of, under a pixel filter: along the axes of the
@@ -237,7 +238,16 @@ impl<R: Real> Add for Kernel<R> {
     /// # Ok::<(), lobe::Error>(())
     /// ```
     fn add(self, other: Self) -> Self {
-        Self::from_covariance(self.covariance().with_columns(other.u, other.v)).scaled(R::ONE)
+        // Nothing is rounded where one of the two is no kernel.
+        if self == Self::default() {
+            return other;
+        }
+        if other == Self::default() {
+            return self;
+        }
+        let ([a, b], [u, v]) = (self.added(), other.added());
+        let [u, v] = Psd::outer_sum(a, b).with_columns(u, v).columns();
+        Self { u, v }
     }
 }
 

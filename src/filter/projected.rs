@@ -84,7 +84,7 @@ impl<R: Real> DiskKernel<R> {
     #[doc(alias = "lobe_disk_kernel_widen")]
     #[inline(always)]
     pub fn widen(&self, shape: Isotropic<R>) -> Widened<Isotropic<R>> {
-        let [u, v] = self.as_slopes().added();
+        let [u, v] = self.as_slopes().columns();
         let alpha = shape.alpha();
         let square = alpha * alpha;
         let rest = (R::ONE - square).max(R::ZERO);

@@ -115,8 +115,12 @@ impl<R: Real> Whitened<R> {
     }
 }
 
-/// The largest $\kappa$ that the fit is asked for; of a mirror it is this.
-const LARGEST_KAPPA: f64 = 1e18;
+/// The largest $\kappa$ and the largest minor axis that the fit is asked for, and what a mirror
+/// has: beyond them the factor is within 3e-6 of its limit, and products of four stay in f32. Of
+/// f64, whose factor then is its limit, 1e24.
+const LARGEST_KAPPA: f64 = 1e10;
+const LARGEST_MINOR: f64 = 1e6;
+const LARGEST_IN_DOUBLE: f64 = 1e24;
 
 /// A fit of the factor for which $A + tK$ has the peak of GGX under the Gaussian of $K =
 /// 2\Sigma_K$, from $\det A$, $\mathrm{tr}(\mathrm{adj}(A)\, K)$ and $\det K$.
@@ -130,20 +134,23 @@ const LARGEST_KAPPA: f64 = 1e18;
 #[inline(always)]
 fn fitted_factor<R: Real>(det: R, mixed: R, kernel_det: R) -> R {
     let (lit, one, least) = (R::lit, R::ONE, R::MIN_POSITIVE);
-    let regular = det >= least;
-    let kappa = R::HALF * (mixed / det.max(least));
-    let kappa = if regular { kappa.min(lit(LARGEST_KAPPA)) } else { lit(LARGEST_KAPPA) };
+    let [largest, largest_minor] =
+        if R::SINGLE { [LARGEST_KAPPA, LARGEST_MINOR] } else { [LARGEST_IN_DOUBLE; 2] };
+    let kappa = (R::HALF * (mixed / det.max(least))).min(lit(largest));
+    let kappa = if det >= least { kappa } else { lit(largest) };
     let s = kappa.sqrt();
-    let round = (one + lit(1.5226) * s)
-        / (one + lit(1.5377) * s + lit(2.508) * kappa + lit(0.22979) * kappa * s);
     // The kernel's minor axis in units of the lobe, and how far from round it is there.
     let inverse = one / mixed.max(least);
-    let minor = (kernel_det * inverse).min(R::LARGEST);
+    let minor = (kernel_det * inverse).min(lit(largest_minor));
     let line = (one - lit(4.0) * minor * (det * inverse)).max(R::ZERO);
-    let long = lit(0.2104) * kappa
-        / ((one + lit(0.2109) * minor) * (one + lit(0.08939) * s + lit(0.2104) * kappa));
-    let long = if mixed > R::ZERO { line * long } else { R::ZERO };
-    one + round + lit(4.0 * core::f64::consts::FRAC_1_PI - 1.0) * long
+    let line = if mixed > R::ZERO { line } else { R::ZERO };
+    // Two quotients over one divisor.
+    let (round, under_round) =
+        (one + lit(1.5226) * s, one + lit(1.5377) * s + kappa * (lit(2.508) + lit(0.22979) * s));
+    let growth = lit(0.2104) * kappa;
+    let under_long = (one + lit(0.2109) * minor) * (one + lit(0.08939) * s + growth);
+    let long = lit(4.0 * core::f64::consts::FRAC_1_PI - 1.0) * (line * growth);
+    one + (round * under_long + long * under_round) / (under_round * under_long)
 }
 
 /// t with $t^2 d^2 + t m = e^2$ from d, m and e, none negative: without cancellation, and without

@@ -75,8 +75,10 @@ pub(crate) fn largest_eigenvalue<R: Real>(xx: R, xy: R, yy: R) -> R {
 fn principal<R: Real>(xx: R, xy: R, yy: R) -> (R, [R; 2]) {
     let half_difference = R::HALF * (xx - yy);
     let scale = half_difference.abs().max(xy.abs());
-    if scale < R::MIN_POSITIVE {
-        return (xx, [R::ONE, R::ZERO]);
+    // Of a matrix that is round up to some roundings of its entries no axis is known.
+    let least = R::lit(4.0) * R::EPSILON * (xx + yy).abs();
+    if scale <= least.max(R::MIN_POSITIVE) {
+        return (xx.max(yy), [R::ONE, R::ZERO]);
     }
     let (h, k) = ((half_difference / scale).kept(), (xy / scale).kept());
     let r = (h * h + k * k).sqrt();

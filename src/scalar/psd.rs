@@ -82,23 +82,20 @@ impl<R: Real> Psd<R> {
     /// # Ok::<(), lobe::Error>(())
     /// ```
     pub fn from_cholesky([l_xx, l_yx, l_yy]: [R; 3]) -> Result<Self, Error> {
-        let lies = l_xx > R::ZERO || l_yx == R::ZERO;
-        if l_xx.is_magnitude() && l_yy.is_magnitude() && l_yx.is_slope() && lies {
-            Ok(Self { l_xx, l_yx, l_yy })
-        } else {
-            Err(Error::Factor([l_xx, l_yx, l_yy].map(Value::from)))
-        }
+        let in_range = l_xx.is_magnitude() && l_yy.is_magnitude() && l_yx.is_slope();
+        let known = in_range && (l_xx > R::ZERO || l_yx == R::ZERO);
+        let refused = || Error::Factor([l_xx, l_yx, l_yy].map(Value::from));
+        if known { Ok(Self { l_xx, l_yx, l_yy }) } else { Err(refused()) }
     }
 
-    /// [`Psd::from_cholesky`] of any finite factor.
-    #[cfg(feature = "serde")]
-    pub(crate) fn of_factor([l_xx, l_yx, l_yy]: [R; 3]) -> Result<Self, Error> {
-        let finite = l_xx.is_finite() && l_yx.is_finite() && l_yy.is_finite();
-        let lies = l_xx > R::ZERO || l_yx == R::ZERO;
-        if finite && l_xx >= R::ZERO && l_yy >= R::ZERO && lies {
-            Ok(Self { l_xx, l_yx, l_yy })
-        } else {
-            Err(Error::Factor([l_xx, l_yx, l_yy].map(Value::from)))
+    /// The matrix of the factor whose entries are the nearest in their ranges.
+    #[inline(always)]
+    pub(crate) fn saturating([l_xx, l_yx, l_yy]: [R; 3]) -> Self {
+        let within = |x: R, least: R| x.max(least).min(R::LARGEST);
+        Self {
+            l_xx: within(l_xx, R::ZERO),
+            l_yx: within(l_yx, -R::LARGEST),
+            l_yy: within(l_yy, R::ZERO),
         }
     }
 
@@ -123,12 +120,6 @@ impl<R: Real> Psd<R> {
     /// The zero matrix.
     pub const fn zero() -> Self {
         Self { l_xx: R::ZERO, l_yx: R::ZERO, l_yy: R::ZERO }
-    }
-
-    /// `x^2` times the identity.
-    #[inline(always)]
-    pub(crate) const fn round(x: R) -> Self {
-        Self { l_xx: x, l_yx: R::ZERO, l_yy: x }
     }
 
     /// `diag(x^2, y^2)`.

@@ -37,6 +37,21 @@ impl<R: Real> Anisotropic<R> {
         Self { factor, root_det }
     }
 
+    /// From the factor `[l_xx, l_yx, l_yy]` of a texture or a buffer, $A = L L^T$: the nearest
+    /// l_xx and l_yy in $[0, 10^9]$ and l_yx in $[-10^9, 10^9]$ count. Total and without a branch.
+    ///
+    /// ```
+    /// use lobe::{Anisotropic, Roughness};
+    /// let roughness = Roughness::from_alphas(0.5_f32, 0.05, 0.7)?;
+    /// let shape = Anisotropic::saturating(roughness.matrix().cholesky());
+    /// assert_eq!(shape, Anisotropic::new(roughness));
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn saturating(factor: [R; 3]) -> Self {
+        Self::new(Roughness::from_matrix(Psd::saturating(factor)))
+    }
+
     /// The roughness.
     #[inline]
     pub const fn roughness(&self) -> Roughness<R> {

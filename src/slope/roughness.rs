@@ -64,7 +64,7 @@ impl<R: Real> Roughness<R> {
     #[doc(alias = "lobe_roughness_from_alpha")]
     pub fn from_alpha(alpha: R) -> Result<Self, Error> {
         let alpha = non_negative(alpha, Error::Alpha)?;
-        Ok(Self { matrix: Psd::round(alpha) })
+        Ok(Self { matrix: Psd::diagonal(alpha, alpha) })
     }
 
     /// Anisotropic: `alpha_x` along the axis at `angle` (radians, counter-clockwise from +x),

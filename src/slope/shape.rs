@@ -64,7 +64,6 @@ pub trait LobeShape: Copy {
     }
 
     /// $m_{xy} + \mu m_z$, of slope s: $(\mu - s)\, m_z$.
-    #[doc(alias = "lobe_non_centered_relative")]
     #[inline(always)]
     fn relative(&self, m: [Self::Scalar; 3]) -> [Self::Scalar; 2] {
         [m[0], m[1]]
@@ -77,7 +76,6 @@ pub trait LobeShape: Copy {
     }
 
     /// $v^T \mathrm{adj}(A)\, v = \det(A)\, v^T A^{-1} v$ of a difference of slopes.
-    #[doc(alias = "lobe_isotropic_adjugate_form")]
     fn adjugate_form(&self, v: [Self::Scalar; 2]) -> Self::Scalar;
 
     /// $a^2(w) = w_{xy}^T A\, w_{xy}$.
@@ -160,7 +158,7 @@ impl<R: Real> Isotropic<R> {
 /// $\alpha^2 I$.
 impl<R: Real> From<Isotropic<R>> for Roughness<R> {
     fn from(shape: Isotropic<R>) -> Self {
-        Self::from_matrix(Psd::round(shape.alpha))
+        Self::from_matrix(Psd::diagonal(shape.alpha, shape.alpha))
     }
 }
 

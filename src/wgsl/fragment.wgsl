@@ -6,15 +6,16 @@
 // those: give them to `lobe_footprint_from_slopes` yourself.
 
 // WGSL only: the footprint of half vectors in one tangent frame, from the quad's slopes. Zero where
-// `h` here, beside, below or above is not a vector above its horizon.
+// `h` here, beside, below or above does not point above its horizon. Kernels count what has no
+// number as huge.
 fn lobe_fragment_footprint(h: vec3f) -> LobeFootprint {
-    let slope = lobe_slope_of(h);
-    let missing = select(1.0, 0.0, h.z > 0.0 && lobe_footprint_is_known(h));
-    let u = dpdxFine(vec3f(slope.x, slope.y, missing));
-    let v = dpdyFine(vec3f(slope.x, slope.y, missing));
-    return lobe_footprint_if(
-        missing + abs(u.z) + abs(v.z) == 0.0, vec2f(u.x, u.y), vec2f(v.x, v.y)
-    );
+    let slope = -vec2f(h.x, h.y) / h.z;
+    let missing = select(1.0, 0.0, h.z > 0.0);
+    let u = dpdxFine(vec3f(slope, missing));
+    let v = dpdyFine(vec3f(slope, missing));
+    let all = missing + abs(u.z) + abs(v.z) == 0.0;
+    let zero = vec2f(0.0, 0.0);
+    return LobeFootprint(select(zero, u.xy, all), select(zero, v.xy, all));
 }
 
 // WGSL only: the kernel on the projected disk, from the quad's unit half vectors in one tangent

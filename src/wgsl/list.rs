@@ -101,7 +101,6 @@ items! {
     IsotropicNew: fn "isotropic_new", "Isotropic::new";
     IsotropicExtent: fn "isotropic_extent", "Isotropic::extent";
     IsotropicForm: fn "isotropic_form", "Isotropic::form";
-    IsotropicAdjugateForm: fn "isotropic_adjugate_form", "Isotropic::adjugate_form";
     IsotropicStretchSquared: fn "isotropic_stretch_squared", "Isotropic::stretch_squared";
     IsotropicNormal: fn "isotropic_normal";
     IsotropicView: fn "isotropic_view";
@@ -134,7 +133,6 @@ items! {
     SlopeWidened: file "slope_widened";
     NonCenteredNew: fn "non_centered_new", "NonCentered::new";
     NonCenteredForm: fn "non_centered_form", "NonCentered::form";
-    NonCenteredRelative: fn "non_centered_relative", "NonCentered::relative";
     NonCenteredMeanArea: fn "non_centered_mean_area", "NonCentered::mean_area";
     NonCenteredOffset: fn "non_centered_offset", "NonCentered::offset";
     NonCenteredNormal: fn "non_centered_normal";

@@ -88,8 +88,10 @@ fn floats<T: bytemuck::Pod>(value: T) -> Vec<f32> {
 fn every_number_lies_in_its_own_place() {
     let psd = Psd::from_cholesky([4.0_f32, 1.0, 2.0]).expect("a factor");
     assert_eq!(floats(gpu::Psd::from(psd)), [4.0, 1.0, 2.0]);
-    let columns = [4.0, 1.0, 0.0, 2.0];
-    assert_eq!(floats(gpu::Columns::from(Kernel::from_covariance(psd))), columns);
+    let kernel = Kernel::from_columns([4.0, 1.0], [3.0, 2.0]).expect("in range");
+    assert_eq!(floats(gpu::Columns::from(kernel)), [4.0, 1.0, 3.0, 2.0]);
+    let root = |x: f32| x * core::f32::consts::SQRT_2;
+    let columns = [root(4.0), root(1.0), 0.0, root(2.0)];
     assert_eq!(floats(gpu::Columns::from(DiskKernel::from_covariance(psd))), columns);
     let footprint = Footprint::from_slopes([1.0, 2.0], [3.0, 4.0]);
     assert_eq!(floats(gpu::Footprint::from(footprint)), [1.0, 2.0, 3.0, 4.0]);

@@ -17,6 +17,8 @@ pub(crate) struct Size {
     pub(crate) instructions: usize,
     /// The same of one call of each function asked for, calls written out.
     pub(crate) inlined: usize,
+    /// Those of them that compute.
+    pub(crate) arithmetic: usize,
 }
 
 impl Size {
@@ -26,12 +28,14 @@ impl Size {
         let functions = instructions(&words);
         let asked =
             |function: &str| items.iter().any(|item| function == format!("lobe_{}", item.name()));
+        let called: Vec<_> = functions.iter().filter(|f| asked(&f.name)).collect();
         Ok(Self {
             name: name.to_owned(),
             bytes: text.len(),
             functions: functions.len(),
             instructions: functions.iter().map(|function| function.own).sum(),
-            inlined: functions.iter().filter(|f| asked(&f.name)).map(|f| f.inlined).sum(),
+            inlined: called.iter().map(|function| function.inlined).sum(),
+            arithmetic: called.iter().map(|function| function.arithmetic).sum(),
         })
     }
 }
@@ -42,6 +46,8 @@ pub(crate) struct Overhead {
     pub(crate) name: &'static str,
     /// SPIR-V instructions more than without a filter, calls written out.
     pub(crate) instructions: usize,
+    /// Those of them that compute.
+    pub(crate) arithmetic: usize,
     /// Instructions for NVIDIA of the nearest of his methods: Kaplanyan et al. 2016, Table 3,
     /// vertex normals or LEAN.
     pub(crate) kaplanyan: Option<usize>,
@@ -54,9 +60,9 @@ pub(crate) struct Sizes {
     pub(crate) overheads: Vec<Overhead>,
 }
 
-/// Shading without a filter, with the same shape and distribution.
+/// Shading of an isotropic material without a filter.
 fn base(brdf: Item) -> Vec<Item> {
-    vec![Item::RoughnessFromAlpha, Item::AnisotropicNew, Item::AnisotropicPair, brdf]
+    vec![Item::IsotropicNew, Item::IsotropicPair, brdf]
 }
 
 impl Sizes {
@@ -89,10 +95,16 @@ impl Sizes {
         ];
         let overheads = cases.into_iter().map(|(name, with, without, kaplanyan)| {
             let (with, without) = (Size::of(name, with)?, Size::of(name, without)?);
-            let more = with.inlined.checked_sub(without.inlined);
-            let instructions =
-                more.ok_or(format!("{name}: a filter that adds less than nothing"))?;
-            Ok(Overhead { name, instructions, kaplanyan })
+            let more = |with: usize, without: usize| {
+                let more = with.checked_sub(without);
+                more.ok_or(format!("{name}: a filter that adds less than nothing"))
+            };
+            Ok(Overhead {
+                name,
+                instructions: more(with.inlined, without.inlined)?,
+                arithmetic: more(with.arithmetic, without.arithmetic)?,
+                kaplanyan,
+            })
         });
         Ok(Self {
             presets: presets.collect::<Result<_, _>>()?,
@@ -105,14 +117,13 @@ impl Sizes {
 type Case<'a> = (&'static str, &'a [Item], &'a [Item], Option<usize>);
 
 /// Kaplanyan's Appendix A in place of the density, and the rest of the BRDF.
-const RECTANGLE: [Item; 8] = [
+const RECTANGLE: [Item; 7] = [
     Item::FragmentFootprint,
     Item::FootprintExtents,
     Item::SlopeOf,
     Item::KaplanyanRectangleMean,
-    Item::RoughnessFromAlpha,
-    Item::AnisotropicNew,
-    Item::AnisotropicView,
+    Item::IsotropicNew,
+    Item::IsotropicView,
     Item::GgxVisibility,
 ];
 

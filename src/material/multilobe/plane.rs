@@ -38,18 +38,21 @@ impl<R: Real> Plane<R> {
         // Mips take the place of kernels.
         let kernel = if mips.is_some() { Kernel::default() } else { *kernel };
         let [[a, b], [_, c]] = roughness.chermain_matrix(R::ONE);
-        let [l, m, n] = kernel.covariance().cholesky();
+        let root = R::HALF.sqrt();
+        let [k, l] = kernel.added().map(|column| column.map(|x| x * root));
         // No narrower than the kernel allows: along y, and along x less what goes with y.
         let (least, share) = (R::lit(LEAST), R::power_of_two(SHARE));
-        let c = c.max(least).max(share * (m * m + n * n).sqrt());
+        let c = c.max(least).max(share * (k[1] * k[1] + l[1] * l[1]).sqrt());
         let lean = b / c;
-        let (p, q) = (l - lean * m, lean * n);
+        let (p, q) = (k[0] - lean * k[1], l[0] - lean * l[1]);
         let a = a.max(least).max(share * (p * p + q * q).sqrt());
         let mapping = [a, b, c];
         let density = R::ONE / (a * c);
         // M^-1 K M^-T by the columns of a root of K.
         let column = |v| deviations(mapping, v).map(|x| x.max(-R::LARGEST).min(R::LARGEST));
-        let kernel = Psd::outer_sum(column([l, m]), column([R::ZERO, n]));
+        // Whitening cancels; the determinant is the kernel's own over that of the mapping.
+        let root_det = (k[0] * l[1] - k[1] * l[0]).abs() * density;
+        let kernel = Psd::outer_sum_with_root_det(column(k), column(l), root_det.min(R::MAX));
         let mips = mips.map(|Footprint { u, v }| [u, v].map(|d| deviations(mapping, d)));
         Self { mapping, density, pieces: Pieces::of(&kernel), mips }
     }

@@ -8,8 +8,7 @@ fn lobe_roughness_widened(roughness: LobeRoughness, kernel: LobeKernel) -> LobeR
 
 // Rust: `Kernel::widen`, of an isotropic shape.
 fn lobe_kernel_widen(kernel: LobeKernel, shape: LobeIsotropic) -> LobeWidened {
-    let added = lobe_kernel_added(kernel);
-    return LobeWidened(shape, added.u, added.v);
+    return LobeWidened(shape, kernel.u, kernel.v);
 }
 
 // Rust: `Lobe::widened`.

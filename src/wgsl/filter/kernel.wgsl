@@ -18,43 +18,37 @@ struct LobeKernel {
     v: vec2f,
 }
 
-// Rust: `Kernel::of`, with a filter's variance. A variance beyond [0, 1e9] counts as the nearest,
-// NaN as 0.
+// Rust: `Kernel::of`, with a filter's variance. A negative variance counts as 0. Columns hold what
+// the footprint holds: BRDFs of what they widen are 0 where that is no number, and matrices count
+// it as an end of the range.
 fn lobe_kernel_of(footprint: LobeFootprint, variance: f32) -> LobeKernel {
-    return lobe_kernel_scaled(
-        LobeKernel(footprint.u, footprint.v), sqrt(lobe_magnitude(variance))
-    );
+    let factor = sqrt(2.0 * lobe_max(variance, 0.0));
+    return LobeKernel(footprint.u * factor, footprint.v * factor);
 }
 
-// Rust: `Kernel::scaled`.
-fn lobe_kernel_scaled(kernel: LobeKernel, factor: f32) -> LobeKernel {
+// Rust: `Kernel::from_covariance`.
+fn lobe_kernel_from_covariance(covariance: LobePsd) -> LobeKernel {
+    let added = lobe_psd_mul(covariance, 2.0);
+    return LobeKernel(vec2f(added.l_xx, added.l_yx), vec2f(0.0, added.l_yy));
+}
+
+// Rust: `Kernel::covariance`.
+fn lobe_kernel_covariance(kernel: LobeKernel) -> LobePsd {
+    let added = lobe_kernel_added(kernel);
+    return lobe_psd_mul(lobe_psd_outer_sum(added.u, added.v), 0.5);
+}
+
+// Rust: `Kernel::added`.
+fn lobe_kernel_added(kernel: LobeKernel) -> LobeKernel {
     return LobeKernel(
-        vec2f(lobe_kernel_within(kernel.u.x * factor), lobe_kernel_within(kernel.u.y * factor)),
-        vec2f(lobe_kernel_within(kernel.v.x * factor), lobe_kernel_within(kernel.v.y * factor))
+        vec2f(lobe_kernel_within(kernel.u.x), lobe_kernel_within(kernel.u.y)),
+        vec2f(lobe_kernel_within(kernel.v.x), lobe_kernel_within(kernel.v.y))
     );
 }
 
 // WGSL only: Rust has it as a closure.
 fn lobe_kernel_within(x: f32) -> f32 {
     return lobe_min(lobe_max(x, -LOBE_LARGEST), LOBE_LARGEST);
-}
-
-// Rust: `Kernel::from_covariance`.
-fn lobe_kernel_from_covariance(covariance: LobePsd) -> LobeKernel {
-    return LobeKernel(vec2f(covariance.l_xx, covariance.l_yx), vec2f(0.0, covariance.l_yy));
-}
-
-// Rust: `Kernel::covariance`.
-fn lobe_kernel_covariance(kernel: LobeKernel) -> LobePsd {
-    return lobe_psd_outer_sum(kernel.u, kernel.v);
-}
-
-// Rust: `Kernel::added`.
-fn lobe_kernel_added(kernel: LobeKernel) -> LobeKernel {
-    let root = 1.4142135;
-    return LobeKernel(
-        vec2f(kernel.u.x * root, kernel.u.y * root), vec2f(kernel.v.x * root, kernel.v.y * root)
-    );
 }
 
 // Rust: `Kernel::footprint`, for a filter's variance. The zero footprint for a variance that is not
@@ -87,8 +81,21 @@ fn lobe_kernel_capped(kernel: LobeKernel, limit: f32) -> LobeKernel {
 // Rust: `Kernel::ALPHA_SQUARED_LIMIT`.
 const LOBE_KERNEL_ALPHA_SQUARED_LIMIT: f32 = 0.18;
 
+// WGSL only: of `Kernel::add`.
+fn lobe_kernel_is_none(kernel: LobeKernel) -> bool {
+    return kernel.u.x == 0.0 && kernel.u.y == 0.0 && kernel.v.x == 0.0 && kernel.v.y == 0.0;
+}
+
 // Rust: `Kernel::add`.
 fn lobe_kernel_add(kernel: LobeKernel, other: LobeKernel) -> LobeKernel {
-    let covariance = lobe_psd_with_columns(lobe_kernel_covariance(kernel), other.u, other.v);
-    return lobe_kernel_scaled(lobe_kernel_from_covariance(covariance), 1.0);
+    if lobe_kernel_is_none(kernel) {
+        return other;
+    }
+    if lobe_kernel_is_none(other) {
+        return kernel;
+    }
+    let first = lobe_kernel_added(kernel);
+    let second = lobe_kernel_added(other);
+    let sum = lobe_psd_with_columns(lobe_psd_outer_sum(first.u, first.v), second.u, second.v);
+    return LobeKernel(vec2f(sum.l_xx, sum.l_yx), vec2f(0.0, sum.l_yy));
 }

@@ -33,7 +33,7 @@ fn lobe_roughness_widened_on_disk(
 
 // Rust: `DiskKernel::widen`.
 fn lobe_disk_kernel_widen(kernel: LobeDiskKernel, shape: LobeIsotropic) -> LobeWidened {
-    let added = lobe_kernel_added(kernel.as_slopes);
+    let added = kernel.as_slopes;
     let u = added.u;
     let v = added.v;
     let square = shape.alpha * shape.alpha;

@@ -45,19 +45,28 @@ fn lobe_proxy_factor(proxy: LobeProxy, r: f32) -> f32 {
     return lobe_proxy_positive_root(proxy.root_det, proxy.trace, excess);
 }
 
+// Rust: `LARGEST_KAPPA`.
+const LOBE_PEAK_LARGEST_KAPPA: f32 = 1e10;
+// Rust: `LARGEST_MINOR`.
+const LOBE_PEAK_LARGEST_MINOR: f32 = 1e6;
+
 // Rust: `fitted_factor`.
 fn lobe_peak_factor(det: f32, mixed: f32, kernel_det: f32) -> f32 {
     let whitened = 0.5 * (mixed / lobe_max(det, LOBE_MIN_POSITIVE));
-    let kappa = select(1e18, lobe_min(whitened, 1e18), det >= LOBE_MIN_POSITIVE);
+    let kappa = select(
+        LOBE_PEAK_LARGEST_KAPPA, lobe_min(whitened, LOBE_PEAK_LARGEST_KAPPA),
+        det >= LOBE_MIN_POSITIVE
+    );
     let s = sqrt(kappa);
-    let round = (1.0 + 1.5226 * s) / (1.0 + 1.5377 * s + 2.508 * kappa + 0.22979 * kappa * s);
     let inverse = 1.0 / lobe_max(mixed, LOBE_MIN_POSITIVE);
-    let minor = lobe_min(kernel_det * inverse, LOBE_LARGEST);
-    let line = lobe_max(1.0 - 4.0 * minor * (det * inverse), 0.0);
-    let term = 0.2104 * kappa
-        / ((1.0 + 0.2109 * minor) * (1.0 + 0.08939 * s + 0.2104 * kappa));
-    let long = select(0.0, line * term, mixed > 0.0);
-    return 1.0 + round + 0.27323954473516276 * long;
+    let minor = lobe_min(kernel_det * inverse, LOBE_PEAK_LARGEST_MINOR);
+    let line = select(0.0, lobe_max(1.0 - 4.0 * minor * (det * inverse), 0.0), mixed > 0.0);
+    let round = 1.0 + 1.5226 * s;
+    let under_round = 1.0 + 1.5377 * s + kappa * (2.508 + 0.22979 * s);
+    let growth = 0.2104 * kappa;
+    let under_long = (1.0 + 0.2109 * minor) * (1.0 + 0.08939 * s + growth);
+    let long = 0.27323954473516276 * (line * growth);
+    return 1.0 + (round * under_long + long * under_round) / (under_round * under_long);
 }
 
 // Rust: `positive_root`.

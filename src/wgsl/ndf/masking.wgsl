@@ -7,7 +7,8 @@ fn lobe_projected_area_of(c: f32, excess: f32) -> f32 {
 
 // WGSL only: `Ndf::lambda` of the same. The largest number from below, and for NaN.
 fn lobe_lambda_of(c: f32, excess: f32) -> f32 {
-    return select(LOBE_MAX, lobe_below_infinity(excess / lobe_max(c, LOBE_MIN_POSITIVE)), c > 0.0);
+    let ratio = lobe_defined(excess / lobe_max(c, LOBE_MIN_POSITIVE));
+    return select(LOBE_MAX, lobe_below_infinity(ratio), c > 0.0);
 }
 
 // WGSL only: `Ndf::g1` of the same. 0 for NaN.

@@ -47,8 +47,9 @@ fn lobe_psd_capped(m: LobePsd, limit: f32) -> LobePsd {
 fn lobe_psd_principal(xx: f32, xy: f32, yy: f32) -> vec3f {
     let half_difference = 0.5 * (xx - yy);
     let scale = lobe_max(abs(half_difference), abs(xy));
-    if scale < LOBE_MIN_POSITIVE {
-        return vec3f(xx, 1.0, 0.0);
+    let least = 4.0 * LOBE_EPSILON * abs(xx + yy);
+    if scale <= lobe_max(least, LOBE_MIN_POSITIVE) {
+        return vec3f(lobe_max(xx, yy), 1.0, 0.0);
     }
     let h = lobe_kept(half_difference / scale);
     let k = lobe_kept(xy / scale);

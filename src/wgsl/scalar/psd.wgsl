@@ -10,12 +10,14 @@ struct LobePsd {
 // WGSL only: the bound of `flat`.
 const LOBE_PSD_LEAST: f32 = 9.860761315262648e-32;
 
-// Rust: `Psd::new`. Entries beyond 1e18 count as that, NaN as 0; a negative determinant counts as
-// 0, and so does a negative entry of the diagonal.
+// Rust: `Psd::new`. Diagonal entries beyond [0, 1e18] count as the nearest, an xy beyond what they
+// allow as that, NaN as 0.
 fn lobe_psd_new(xx: f32, xy: f32, yy: f32) -> LobePsd {
-    return lobe_psd_from_entries(
-        lobe_within(xx, 1e18), lobe_within(xy, 1e18), lobe_within(yy, 1e18)
-    );
+    let x = lobe_min(lobe_max(xx, 0.0), 1e18);
+    let y = lobe_min(lobe_max(yy, 0.0), 1e18);
+    // A rounding more, which the determinant drops.
+    let most = 1.000001 * (sqrt(x) * sqrt(y));
+    return lobe_psd_from_entries(x, lobe_within(xy, most), y);
 }
 
 // Rust: `Psd::from_entries`.

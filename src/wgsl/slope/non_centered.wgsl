@@ -16,7 +16,7 @@ fn lobe_non_centered_form(shape: LobeNonCentered, m: vec3f) -> f32 {
     return lobe_anisotropic_form(shape.shape, lobe_non_centered_relative(shape, m));
 }
 
-// Rust: `NonCentered::relative`.
+// WGSL only: what Rust has in `LobeShape`, of a shape with a mean.
 fn lobe_non_centered_relative(shape: LobeNonCentered, m: vec3f) -> vec2f {
     return vec2f(m.x + shape.mean.x * m.z, m.y + shape.mean.y * m.z);
 }

@@ -81,7 +81,7 @@ fn lobe_isotropic_form(m: vec3f) -> f32 {
     return lobe_far(m.x * m.x + m.y * m.y);
 }
 
-// Rust: `Isotropic::adjugate_form`.
+// WGSL only: what Rust has in `LobeShape`, of an isotropic shape.
 fn lobe_isotropic_adjugate_form(shape: LobeIsotropic, v: vec2f) -> f32 {
     return shape.alpha * shape.alpha * (v.x * v.x + v.y * v.y);
 }

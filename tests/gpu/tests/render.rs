@@ -16,7 +16,7 @@ use lobe::filter::{DiskKernel, tokuyoshi_kaplanyan_deferred_alpha};
 use lobe::material::cells::Patch;
 use lobe::material::glint::Grid;
 use lobe::slope::direction::slope_of;
-use lobe::{Kernel, PixelFilter};
+use lobe::{Kernel, PixelFilter, Psd};
 use lobe_gpu::Gpu;
 use lobe_report::shot::{Seen, Shot, non_overlap};
 
@@ -132,9 +132,12 @@ fn kernels_on_the_disk_are_those_of_the_quad_s_half_vectors() {
             let [here, beside, below] =
                 quad(shot, index).0.map(|seen| [seen.half[0], seen.half[1]]);
             let (u, v) = (minus(beside, here), minus(below, here));
-            let columns = DiskKernel::of(u, v, filter).as_slopes().columns().concat();
-            let off = filter.variance().sqrt() as f32 * ROUNDING;
-            for (got, want) in got.iter().zip(columns) {
+            let [a, b] = DiskKernel::of(u, v, filter).as_slopes().columns();
+            let added = Psd::outer_sum(a, b);
+            let [xx, xy, yy] = added.entries();
+            let length: f32 = u.iter().chain(&v).map(|x| x.abs()).sum();
+            let off = 2.0 * filter.variance() as f32 * ROUNDING * (4.0 * length + ROUNDING);
+            for (got, want) in got.iter().zip([xx, xy, yy, added.root_det()]) {
                 assert!((got - want).abs() <= off, "{name} {index}: {got} for {want}");
             }
         }

@@ -110,8 +110,9 @@ fn exact_mode_on_swiftshader_but_for_subnormal_numbers() {
 }
 
 /// A tolerance that allows anything proves nothing: half of a twin's results are held to this many
-/// ulp, and only this share of them to nothing.
-const LOOSEST: f64 = 1000.0;
+/// ulp, and only this share of them to nothing. The loosest are densities of many lobes, of whose
+/// roughness the entries are drawn: the factor's own roundings are in all that follows.
+const LOOSEST: f64 = 2000.0;
 const UNBOUNDED: f64 = 0.05;
 
 /// How far a result may be off; subnormal ones may be 0.

@@ -6,6 +6,8 @@ use crate::sizes::Sizes;
 const NOTE: &str = "SPIR-V by naga, before any driver has optimized it: one instruction for every \
     operation, load, \
                     field and branch; with every call written out and loops counted once. \
+                    Of these, arithmetic, comparisons, selects and extended instructions compute; \
+                    the rest moves numbers, and a driver's compiler leaves little of it. \
                     Kaplanyan et al. 2016, Table 3, \
                     counts what NVIDIA's compiler made of GLSL, so compare orders within a \
                     column, not across.";
@@ -18,10 +20,11 @@ fn presets(sizes: &Sizes) -> Table {
             size.functions.to_string(),
             size.instructions.to_string(),
             size.inlined.to_string(),
+            size.arithmetic.to_string(),
         ],
         class: "",
     });
-    let headers = &["Shader", "Bytes", "Functions", "SPIR-V", "Calls written out"];
+    let headers = &["Shader", "Bytes", "Functions", "SPIR-V", "Calls written out", "Computing"];
     Table { headers, rows: rows.collect() }
 }
 
@@ -30,12 +33,13 @@ fn overheads(sizes: &Sizes) -> Table {
         cells: vec![
             overhead.name.to_owned(),
             overhead.instructions.to_string(),
+            overhead.arithmetic.to_string(),
             overhead.kaplanyan.map_or_else(|| "\u{2013}".to_owned(), |count| count.to_string()),
         ],
         class: "",
     });
     Table {
-        headers: &["Filtering adds", "SPIR-V", "Kaplanyan's nearest, Table 3"],
+        headers: &["Filtering adds", "SPIR-V", "Computing", "Kaplanyan's nearest, Table 3"],
         rows: rows.collect(),
     }
 }

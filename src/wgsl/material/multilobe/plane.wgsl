@@ -16,21 +16,25 @@ struct LobePlane {
 // Rust: `Plane::new`. 0 for NaN.
 fn lobe_plane_new(roughness: LobeRoughness, kernel: LobeKernel) -> LobePlane {
     let m = lobe_roughness_chermain_matrix(roughness, 1.0);
-    let factor = lobe_kernel_covariance(kernel);
-    let root = vec3f(factor.l_xx, factor.l_yx, factor.l_yy);
+    let added = lobe_kernel_added(kernel);
+    let root = 0.70710677;
+    let k = vec2f(added.u.x * root, added.u.y * root);
+    let l = vec2f(added.v.x * root, added.v.y * root);
     let share = lobe_power_of_two(LOBE_PLANE_SHARE);
-    let across = share * sqrt(root.y * root.y + root.z * root.z);
+    let across = share * sqrt(k.y * k.y + l.y * l.y);
     let c = lobe_max(lobe_max(m[1][1], LOBE_PLANE_LEAST), across);
     let b = m[1][0];
     let lean = b / c;
-    let p = root.x - lean * root.y;
-    let q = lean * root.z;
+    let p = k.x - lean * k.y;
+    let q = l.x - lean * l.y;
     let a = lobe_max(lobe_max(m[0][0], LOBE_PLANE_LEAST), share * sqrt(p * p + q * q));
     let mapping = vec3f(a, b, c);
-    let u = lobe_both_within(lobe_plane_deviations(mapping, vec2f(root.x, root.y)), LOBE_LARGEST);
-    let v = lobe_both_within(lobe_plane_deviations(mapping, vec2f(0.0, root.z)), LOBE_LARGEST);
+    let u = lobe_both_within(lobe_plane_deviations(mapping, k), LOBE_LARGEST);
+    let v = lobe_both_within(lobe_plane_deviations(mapping, l), LOBE_LARGEST);
+    let density = lobe_defined(1.0 / (a * c));
+    let root_det = lobe_below_infinity(abs(k.x * l.y - k.y * l.x) * density);
     return LobePlane(
-        mapping, lobe_defined(1.0 / (a * c)), lobe_pieces_of(lobe_psd_outer_sum(u, v))
+        mapping, density, lobe_pieces_of(lobe_psd_outer_sum_with_root_det(u, v, root_det))
     );
 }
 

@@ -33,17 +33,22 @@ const DEFERRED_TWO: &str = "let wide = lobe_kaplanyan_deferred_alphas(
 let r = $brdf(lobe_axis_aligned_pair(lobe_axis_aligned_new(wide.x, wide.y), wo, wi));";
 
 const VARIANCE: &str = "let kernel = lobe_kernel_of($footprint, LOBE_PIXEL_FILTER_BOX);
+let shape = lobe_kernel_widen(kernel, lobe_isotropic_new(alpha));
+let r = $brdf(lobe_widened_pair(shape, wo, wi));";
+
+/// Any base, as LEAN has it.
+const VARIANCE_OF_ANY: &str = "let kernel = lobe_kernel_of($footprint, LOBE_PIXEL_FILTER_BOX);
 let wide = lobe_roughness_widened(lobe_roughness_from_alpha(alpha), kernel);
 let r = $brdf(lobe_anisotropic_pair(lobe_anisotropic_new(wide), wo, wi));";
 
 const PEAK: &str = "let kernel = lobe_kernel_of($footprint, LOBE_PIXEL_FILTER_BOX);
-let wide = lobe_roughness_peak_fitted(lobe_roughness_from_alpha(alpha), kernel);
-let r = $brdf(lobe_anisotropic_pair(lobe_anisotropic_new(wide), wo, wi));";
+let shape = lobe_kernel_widen_to_peak(kernel, lobe_isotropic_new(alpha));
+let r = $brdf(lobe_widened_pair(shape, wo, wi));";
 
 const DISK: &str =
     "let kernel = lobe_disk_kernel_of($hu, $hv, LOBE_PIXEL_FILTER_TOKUYOSHI_KAPLANYAN);
-let wide = lobe_roughness_widened_on_disk(lobe_roughness_from_alpha(alpha), kernel);
-let r = $brdf(lobe_anisotropic_pair(lobe_anisotropic_new(wide), wo, wi));";
+let shape = lobe_disk_kernel_widen(kernel, lobe_isotropic_new(alpha));
+let r = $brdf(lobe_widened_pair(shape, wo, wi));";
 
 const RECTANGLE: &str = "let widths = lobe_footprint_extents($footprint);
 let mean = lobe_kaplanyan_rectangle_mean(vec2f(alpha, alpha), lobe_slope_of(h), widths);
@@ -67,12 +72,13 @@ const fn beckmann(name: &'static str, body: &'static str, kaplanyan: Option<f64>
     Method { name, base: BECKMANN_BASE, body, brdf: "lobe_beckmann_brdf", kaplanyan }
 }
 
-pub(crate) const METHODS: [Method; 12] = [
+pub(crate) const METHODS: [Method; 13] = [
     ggx(GGX_BASE, ISOTROPIC, None),
     ggx("GGX, any matrix, no filter", MATRIX, None),
     ggx("GGX, deferred, one alpha", DEFERRED, Some(0.93)),
     ggx("GGX, deferred, two alphas", DEFERRED_TWO, Some(0.93)),
     ggx("GGX, variance added", VARIANCE, Some(0.53)),
+    ggx("GGX, any matrix, variance added", VARIANCE_OF_ANY, None),
     ggx("GGX, right peak", PEAK, None),
     ggx("GGX, on the projected disk", DISK, None),
     ggx("GGX, Kaplanyan's rectangle", RECTANGLE, Some(2.74)),

@@ -10,9 +10,15 @@ use lobe::filter::{
 use lobe::material::Fresnel;
 use lobe::shade::Material;
 use lobe::slope::direction::half_vector;
-use lobe::{Ggx, Isotropic, Kernel, LobeShape, PixelFilter, Real};
+use lobe::{Ggx, Isotropic, Kernel, LobeShape, Real};
 
+use super::scalar::PARALLEL;
 use super::value::Reader;
+
+/// An axis at the frame's, within a rounding, is exactly there or not, and what lies across it is 0
+/// or a rounding: one lobe in four is along the axes, and one in eight of those has an alpha of 1,
+/// of which rounding decides whether it stays.
+const AXES: f64 = 1.0 / 32.0;
 
 impl Reader<'_> {
     /// One of the engines, by its place as a whole number.
@@ -31,12 +37,14 @@ fn light<R: Real>(x: &mut Reader<'_>) -> SphericalGaussian<R> {
 }
 
 super::twins! {
-    "kernel_of" (Footprint, Variance) "lobe_kernel_of($0, $1)" => |x| {
+    // Columns hold what footprints hold; matrices made of them are numbers.
+    "kernel_of" (Footprint, Variance) "lobe_kernel_covariance(lobe_kernel_of($0, $1))" => |x| {
         let footprint = x.footprint::<R>();
-        Kernel::of(&footprint, x.filter())
+        Kernel::of(&footprint, x.filter()).covariance()
     };
-    "kernel_tokuyoshi_forward" (Footprint) "lobe_kernel_tokuyoshi_forward($0.u, $0.v)" => |x| {
-        Kernel::tokuyoshi_forward(x.vec::<R, 2>(), x.vec())
+    "kernel_tokuyoshi_forward" (Footprint)
+        "lobe_kernel_covariance(lobe_kernel_tokuyoshi_forward($0.u, $0.v))" => |x| {
+        Kernel::tokuyoshi_forward(x.vec::<R, 2>(), x.vec()).covariance()
     };
     "kernel_covariance" (Kernel) "lobe_kernel_covariance($0)" => |x| {
         x.kernel::<R>().covariance()
@@ -53,29 +61,28 @@ super::twins! {
         kernel.widen_to_peak(Isotropic::saturating(x.f())).extent()
     };
     "disk_kernel_widen" (Kernel, Alpha)
-        "lobe_widened_extent(lobe_disk_kernel_widen(LobeDiskKernel($0), \
-            lobe_isotropic_new($1)))" => |x| {
-        let [u, v] = x.kernel::<R>().columns();
-        let unit = PixelFilter::with_variance(1.0).expect("in range");
-        let kernel = DiskKernel::of(u, v, unit);
+        "lobe_widened_extent(lobe_disk_kernel_widen(
+            lobe_disk_kernel_from_covariance(lobe_kernel_covariance($0)), lobe_isotropic_new($1)
+        ))" => |x| {
+        let kernel = DiskKernel::from_covariance(x.kernel::<R>().covariance());
         kernel.widen(Isotropic::saturating(x.f())).extent()
     };
     "kernel_from_covariance" (Psd) "lobe_kernel_from_covariance($0)" => |x| {
         Kernel::from_covariance(x.psd::<R>())
     };
-    "kernel_add" (Kernel, Kernel) "lobe_kernel_add($0, $1)" => |x| {
+    "kernel_add" (Kernel, Kernel) "lobe_kernel_covariance(lobe_kernel_add($0, $1))" => |x| {
         let kernel = x.kernel::<R>();
-        kernel + x.kernel()
+        (kernel + x.kernel()).covariance()
     };
     // As a kernel again: one that is nearly round has no axes, and the last bit chooses them.
-    "kernel_footprint" (Kernel, Variance) "lobe_kernel_of(lobe_kernel_footprint($0, $1), \
-        $1)" => |x| {
+    "kernel_footprint" (Kernel, Variance)
+        "lobe_kernel_covariance(lobe_kernel_of(lobe_kernel_footprint($0, $1), $1))" => |x| {
         let (kernel, filter) = (x.kernel::<R>(), x.filter());
-        Kernel::of(&kernel.footprint(filter), filter)
+        Kernel::of(&kernel.footprint(filter), filter).covariance()
     };
-    "kernel_capped" (Kernel, Limit) "lobe_kernel_capped($0, $1)" => |x| {
+    "kernel_capped" (Kernel, Limit) "lobe_kernel_covariance(lobe_kernel_capped($0, $1))" => |x| {
         let kernel = x.kernel::<R>();
-        kernel.capped(x.f())
+        kernel.capped(x.f()).covariance()
     };
     "roughness_widened" (Roughness, Kernel) "lobe_roughness_widened($0, $1)" => |x| {
         let roughness = x.roughness::<R>();
@@ -103,24 +110,25 @@ super::twins! {
         let roughness = x.roughness::<R>();
         roughness.peak_fitted(&x.kernel())
     };
-    "roughness_peak_matched_over" (Groove, Footprint)
+    "roughness_peak_matched_over" flips PARALLEL (Groove, Footprint)
         "lobe_roughness_peak_matched_over(($0).roughness, $1)" => |x| {
         let roughness = x.lobe::<R>().roughness();
         roughness.peak_matched_over(&x.footprint())
     };
-    "roughness_peak_matched_over" (Roughness, Footprint) "lobe_roughness_peak_matched_over($0, \
-        $1)" => |x| {
+    "roughness_peak_matched_over" flips PARALLEL (Roughness, Footprint)
+        "lobe_roughness_peak_matched_over($0, $1)" => |x| {
         let roughness = x.roughness::<R>();
         roughness.peak_matched_over(&x.footprint())
     };
-    "disk_kernel_of" (Footprint, Variance) "lobe_disk_kernel_of($0.u, $0.v, $1)" => |x| {
+    "disk_kernel_of" (Footprint, Variance)
+        "lobe_kernel_covariance(lobe_disk_kernel_of($0.u, $0.v, $1).as_slopes)" => |x| {
         let (u, v) = (x.vec::<R, 2>(), x.vec::<R, 2>());
-        DiskKernel::of(u, v, x.filter())
+        DiskKernel::of(u, v, x.filter()).covariance()
     };
-    "disk_kernel_of_bounding" (Footprint, Variance) "lobe_disk_kernel_of_bounding($0.u, $0.v, \
-        $1)" => |x| {
+    "disk_kernel_of_bounding" (Footprint, Variance)
+        "lobe_kernel_covariance(lobe_disk_kernel_of_bounding($0.u, $0.v, $1).as_slopes)" => |x| {
         let (u, v) = (x.vec::<R, 2>(), x.vec::<R, 2>());
-        DiskKernel::of_bounding(u, v, x.filter())
+        DiskKernel::of_bounding(u, v, x.filter()).covariance()
     };
     "disk_kernel_from_covariance" (Psd) "lobe_disk_kernel_from_covariance($0)" => |x| {
         DiskKernel::from_covariance(x.psd::<R>())
@@ -137,7 +145,7 @@ super::twins! {
         let kernel = x.disk::<R>();
         kernel.capped(x.f())
     };
-    "roughness_widened_on_disk" (Roughness, Kernel)
+    "roughness_widened_on_disk" flips AXES (Roughness, Kernel)
         "lobe_roughness_widened_on_disk($0, \
             lobe_disk_kernel_from_covariance(lobe_kernel_covariance($1)))" => |x| {
         let roughness = x.roughness::<R>();
@@ -161,14 +169,18 @@ super::twins! {
         "lobe_spherical_gaussian_integral(lobe_spherical_gaussian_new($0, \
             $1))" => |x| light::<R>(x).integral();
     "spherical_gaussian_kernel" (Direction, Sharpness, Direction)
-        "lobe_spherical_gaussian_kernel(lobe_spherical_gaussian_new($0, $1), $2)" => |x| {
+        "lobe_kernel_covariance(
+            lobe_spherical_gaussian_kernel(lobe_spherical_gaussian_new($0, $1), $2)
+        )" => |x| {
         let light = light::<R>(x);
-        light.kernel(x.vec::<R, 3>())
+        light.kernel(x.vec::<R, 3>()).covariance()
     };
     "spherical_gaussian_disk_kernel" (Direction, Sharpness, Direction)
-        "lobe_spherical_gaussian_disk_kernel(lobe_spherical_gaussian_new($0, $1), $2)" => |x| {
+        "lobe_kernel_covariance(
+            lobe_spherical_gaussian_disk_kernel(lobe_spherical_gaussian_new($0, $1), $2).as_slopes
+        )" => |x| {
         let light = light::<R>(x);
-        light.disk_kernel(x.vec::<R, 3>())
+        light.disk_kernel(x.vec::<R, 3>()).covariance()
     };
     "spherical_gaussian_footprint" (Direction, Sharpness, Direction)
         "lobe_spherical_gaussian_footprint(lobe_spherical_gaussian_new($0, $1), $2)" => |x| {
@@ -277,7 +289,7 @@ super::twins! {
         let h = half_vector(wo, wi);
         wo[0] * h[0] + wo[1] * h[1] + wo[2] * h[2]
     };
-    "ggx_evaluate" (Lobe, Kernel, Pair, Reflectance)
+    "ggx_evaluate" flips PARALLEL (Lobe, Kernel, Pair, Reflectance)
         "lobe_ggx_evaluate(lobe_material_bake($0, $1), $2, lobe_fresnel_schlick($3, \
             lobe_half_cosine($2)))" => |x| {
         let (lobe, kernel) = (x.lobe::<R>(), x.kernel());

@@ -6,6 +6,10 @@ fn truth<R: Real>(holds: bool) -> R {
     if holds { R::ONE } else { R::ZERO }
 }
 
+/// Two kernels or footprints in ten have parallel sides, up to the rounding of their components:
+/// whether the cross product is 0 then is its own rounding's choice.
+pub(super) const PARALLEL: f64 = 0.2;
+
 super::twins! {
     "min" (Any, Any) "lobe_min($0, $1)" => |x| { let (a, b) = (x.f::<R>(), x.f()); a.min(b) };
     "max" (Any, Any) "lobe_max($0, $1)" => |x| { let (a, b) = (x.f::<R>(), x.f()); a.max(b) };
@@ -38,7 +42,7 @@ super::twins! {
     "psd_trace" (Psd) "lobe_psd_trace($0)" => |x| x.psd::<R>().trace();
     "psd_entries" (Psd) "lobe_psd_entries($0)" => |x| x.psd::<R>().entries();
     "psd_root_det" (Psd) "lobe_psd_root_det($0)" => |x| x.psd::<R>().root_det();
-    "psd_is_singular" (Kernel)
+    "psd_is_singular" flips PARALLEL (Kernel)
         "select(0.0, 1.0, lobe_psd_is_singular(lobe_kernel_covariance($0)))" => |x| {
         truth::<R>(x.kernel::<R>().covariance().is_singular())
     };

@@ -179,11 +179,6 @@ super::twins! {
         let shape = Isotropic::new(R::ONE).expect("in range");
         shape.form(x.vec())
     };
-    "isotropic_adjugate_form" (Alpha, Slope)
-        "lobe_isotropic_adjugate_form(lobe_isotropic_new($0), $1)" => |x| {
-        let shape = isotropic::<R>(x);
-        shape.adjugate_form(x.vec())
-    };
     "isotropic_stretch_squared" (Alpha, Direction)
         "lobe_isotropic_stretch_squared(lobe_isotropic_new($0), $1)" => |x| {
         let shape = isotropic::<R>(x);
@@ -260,11 +255,6 @@ super::twins! {
         "lobe_widened_stretch_squared($0, $1)" => |x| {
         let shape = x.widened::<R>();
         shape.stretch_squared(x.vec())
-    };
-    "non_centered_relative" (Lobe, Direction)
-        "lobe_non_centered_relative(lobe_lobe_shape($0), $1)" => |x| {
-        let shape = non_centered::<R>(x);
-        shape.relative(x.vec())
     };
     "non_centered_form" (Lobe, Direction) "lobe_non_centered_form(lobe_lobe_shape($0), \
         $1)" => |x| {

@@ -47,12 +47,17 @@ pub(crate) const PLAIN_QUAD: &str = "
     let slope = lobe_slope_of(lobe_half_vector(p.wo, p.wi));
     return vec4f(dpdx(slope), dpdy(slope));";
 
-/// Covariance of the kernel on the projected disk: xx, xy, yy and the root of the determinant.
+/// What the kernel on the projected disk adds: entries xx, xy, yy and the root of the determinant.
 pub(crate) const DISK: &str = "
     let variance = LOBE_PIXEL_FILTER_TOKUYOSHI_KAPLANYAN;
     let kernel = lobe_fragment_disk_kernel(lobe_half_vector(p.wo, p.wi), variance);
     let columns = kernel.as_slopes;
-    return vec4f(columns.u.x, columns.u.y, columns.v.x, columns.v.y);";
+    let u = columns.u;
+    let v = columns.v;
+    return vec4f(
+        u.x * u.x + v.x * v.x, u.x * u.y + v.x * v.y, u.y * u.y + v.y * v.y,
+        abs(u.x * v.y - u.y * v.x)
+    );";
 
 /// Alpha from the normals of the quad.
 pub(crate) const DEFERRED: &str = "
