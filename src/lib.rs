@@ -129,6 +129,7 @@ extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
+pub mod batch;
 #[cfg(feature = "serde")]
 mod data;
 mod error;

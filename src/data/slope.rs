@@ -15,20 +15,12 @@ data!("Psd", Psd<R> {
 
 /// The matrix of its factor, as it is written, or of its entries, as people write them.
 ///
+/// Sums and products may leave the range of [`Psd::from_cholesky`], so any finite factor passes.
 fn checked<R: Real>(entries: Option<[R; 3]>, factor: Option<[R; 3]>) -> Result<Psd<R>, Error> {
     match (entries, factor) {
-        (None, Some(factor)) => scaled(factor),
+        (None, Some(factor)) => Psd::of_factor(factor),
         (Some([xx, xy, yy]), None) => Psd::new(xx, xy, yy),
         _ => Err(Error::MatrixGiven),
-    }
-}
-
-/// [`Psd::from_cholesky`] of a factor up to 16 times its range: powers of two round nothing.
-fn scaled<R: Real>(factor: [R; 3]) -> Result<Psd<R>, Error> {
-    let within = Psd::from_cholesky(factor.map(|x| x * R::lit(1.0 / 16.0)));
-    match within {
-        Ok(psd) => Ok(psd * R::lit(256.0)),
-        Err(_) => Psd::from_cholesky(factor),
     }
 }
 

@@ -39,8 +39,13 @@ pub fn tokuyoshi_deferred_alpha<R: Real>(
     filter: PixelFilter,
     limit: R,
 ) -> Result<R, Error> {
-    let spread = norm_squared(dn_u.into()) + norm_squared(dn_v.into());
-    widened(alpha, R::TWO * variance::<R>(filter) * spread, limit)
+    widened(alpha, summed(dn_u.into(), dn_v.into(), filter), limit)
+}
+
+/// What [`tokuyoshi_deferred_alpha`] adds to alpha^2, without its limit.
+#[inline(always)]
+pub(crate) fn summed<R: Real>(dn_u: [R; 3], dn_v: [R; 3], filter: PixelFilter) -> R {
+    R::TWO * variance::<R>(filter) * (norm_squared(dn_u) + norm_squared(dn_v))
 }
 
 /// The same with the mean of the kernel's two eigenvalues in place of their sum: half of it.
@@ -73,8 +78,13 @@ pub fn tokuyoshi_kaplanyan_deferred_alpha<R: Real>(
     filter: PixelFilter,
     limit: R,
 ) -> Result<R, Error> {
-    let spread = norm_squared(dn_u.into()) + norm_squared(dn_v.into());
-    widened(alpha, variance::<R>(filter) * spread, limit)
+    widened(alpha, averaged(dn_u.into(), dn_v.into(), filter), limit)
+}
+
+/// What [`tokuyoshi_kaplanyan_deferred_alpha`] adds to alpha^2, without its limit.
+#[inline(always)]
+pub(crate) fn averaged<R: Real>(dn_u: [R; 3], dn_v: [R; 3], filter: PixelFilter) -> R {
+    variance::<R>(filter) * (norm_squared(dn_u) + norm_squared(dn_v))
 }
 
 /// The same with the largest eigenvalue itself: the narrowest isotropic kernel that covers the
@@ -107,13 +117,18 @@ pub fn largest_deferred_alpha<R: Real>(
     filter: PixelFilter,
     limit: R,
 ) -> Result<R, Error> {
-    let (u, v) = (dn_u.into(), dn_v.into());
+    widened(alpha, largest(dn_u.into(), dn_v.into(), filter), limit)
+}
+
+/// What [`largest_deferred_alpha`] adds to alpha^2, without its limit.
+#[inline(always)]
+pub(crate) fn largest<R: Real>(u: [R; 3], v: [R; 3], filter: PixelFilter) -> R {
     let (uu, vv) = (norm_squared(u), norm_squared(v));
     // Derivatives without a square in this precision have no eigenvalues: the trace is then
     // infinite, too.
     let trace = uu + vv;
     let largest = if trace.is_finite() { largest_eigenvalue(uu, dot(u, v), vv) } else { trace };
-    widened(alpha, R::TWO * variance::<R>(filter) * largest, limit)
+    R::TWO * variance::<R>(filter) * largest
 }
 
 /// Filtered alphas along the frame's axes for a G-buffer with two channels of roughness.
@@ -226,10 +241,12 @@ pub fn quad_normal_footprint<R: Real>(quad: &[ShadingFrame<R>; 4]) -> Result<Foo
 }
 
 /// Squared length.
+#[inline(always)]
 pub(super) fn norm_squared<R: Real>(v: [R; 3]) -> R {
     dot(v, v)
 }
 
+#[inline(always)]
 fn variance<R: Real>(filter: PixelFilter) -> R {
     R::lit(filter.variance())
 }
@@ -239,10 +256,18 @@ pub(super) fn widened<R: Real>(alpha: R, added: R, limit: R) -> Result<R, Error>
     if !alpha.is_magnitude() {
         return Err(Error::Alpha(alpha.into()));
     }
-    if !(limit >= R::ZERO) {
-        return Err(Error::Limit(limit.into()));
-    }
+    Ok(filtered(alpha, added, checked_limit(limit)?))
+}
+
+/// A limit that is not negative.
+pub(crate) fn checked_limit<R: Real>(limit: R) -> Result<R, Error> {
+    if limit >= R::ZERO { Ok(limit) } else { Err(Error::Limit(limit.into())) }
+}
+
+/// [`widened`] of an alpha and a limit that are known to be in range.
+#[inline(always)]
+pub(crate) fn filtered<R: Real>(alpha: R, added: R, limit: R) -> R {
     // `max` drops NaN: derivatives without a number add nothing.
     let added = added.max(R::ZERO).min(limit);
-    Ok((alpha * alpha + added).sqrt().min(alpha.max(R::ONE)))
+    (alpha * alpha + added).sqrt().min(alpha.max(R::ONE))
 }

@@ -11,7 +11,7 @@
 //! - What papers and engines have, to reproduce and to compare: `kaplanyan_*`, [`engine`].
 
 mod beckmann;
-mod deferred;
+pub(crate) mod deferred;
 mod disk;
 #[cfg(feature = "published")]
 pub mod engine;

@@ -6,6 +6,7 @@ pub(crate) mod erfc;
 pub(crate) mod exact;
 pub(crate) mod exp;
 pub(crate) mod expint;
+mod factor;
 mod float;
 #[cfg(feature = "glam")]
 mod glam;

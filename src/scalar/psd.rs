@@ -24,16 +24,16 @@ use core::ops::{Add, AddAssign, Mul};
 /// assert!((eigen.major - 3.0).abs() < 1e-12 && (eigen.minor - 1.0).abs() < 1e-12);
 /// # Ok::<(), lobe::Error>(())
 /// ```
-// Further methods: scalar/eigen.rs.
+// Further methods: scalar/eigen.rs, scalar/factor.rs.
 #[doc(alias = "LobePsd")]
 #[doc(alias = "lobe_psd_mul")]
 #[doc(alias = "lobe_psd_add")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[allow(clippy::struct_field_names, reason = "entries of the factor L")]
 pub struct Psd<R> {
-    l_xx: R,
-    l_yx: R,
-    l_yy: R,
+    pub(super) l_xx: R,
+    pub(super) l_yx: R,
+    pub(super) l_yy: R,
 }
 
 /// The least entry xx that a factor has digits for: below it the squares that make it are no longer
@@ -65,38 +65,6 @@ impl<R: Real> Psd<R> {
             return Err(Error::MatrixNotPositive([xx, xy, yy].map(Value::from)));
         }
         Ok(Self::from_entries(xx, xy, yy))
-    }
-
-    /// The matrix with this Cholesky factor, `[l_xx, l_yx, l_yy]`: the inverse of
-    /// [`Psd::cholesky`], to the bit.
-    ///
-    /// # Errors
-    /// [`Error::Factor`] unless `l_xx` and `l_yy` lie in $[0, 10^9]$ and `l_yx` in $[-10^9, 10^9]$,
-    /// or if `l_xx` is 0 and `l_yx` is not.
-    ///
-    /// ```
-    /// use lobe::Psd;
-    /// let psd = Psd::from_cholesky([2.0_f64, 1.0, 1.0])?;
-    /// assert_eq!(psd.entries(), [4.0, 2.0, 2.0]);
-    /// assert_eq!(psd.cholesky(), [2.0, 1.0, 1.0]);
-    /// # Ok::<(), lobe::Error>(())
-    /// ```
-    pub fn from_cholesky([l_xx, l_yx, l_yy]: [R; 3]) -> Result<Self, Error> {
-        let in_range = l_xx.is_magnitude() && l_yy.is_magnitude() && l_yx.is_slope();
-        let known = in_range && (l_xx > R::ZERO || l_yx == R::ZERO);
-        let refused = || Error::Factor([l_xx, l_yx, l_yy].map(Value::from));
-        if known { Ok(Self { l_xx, l_yx, l_yy }) } else { Err(refused()) }
-    }
-
-    /// The matrix of the factor whose entries are the nearest in their ranges.
-    #[inline(always)]
-    pub(crate) fn saturating([l_xx, l_yx, l_yy]: [R; 3]) -> Self {
-        let within = |x: R, least: R| x.max(least).min(R::LARGEST);
-        Self {
-            l_xx: within(l_xx, R::ZERO),
-            l_yx: within(l_yx, -R::LARGEST),
-            l_yy: within(l_yy, R::ZERO),
-        }
     }
 
     /// The matrix with these entries, trusted to be positive semi-definite up to rounding.
@@ -206,25 +174,6 @@ impl<R: Real> Psd<R> {
     pub fn entries(&self) -> [R; 3] {
         let Self { l_xx, l_yx, l_yy } = *self;
         [l_xx * l_xx, l_xx * l_yx, l_yx * l_yx + l_yy * l_yy]
-    }
-
-    /// Columns `[l_xx, l_yx]` and `[0, l_yy]` of the factor with $L L^T = A$, as
-    /// `[l_xx, l_yx, l_yy]`.
-    ///
-    /// ```
-    /// use lobe::Psd;
-    /// assert_eq!(Psd::new(4.0, 2.0, 2.0)?.cholesky(), [2.0_f64, 1.0, 1.0]);
-    /// # Ok::<(), lobe::Error>(())
-    /// ```
-    #[inline(always)]
-    pub const fn cholesky(&self) -> [R; 3] {
-        [self.l_xx, self.l_yx, self.l_yy]
-    }
-
-    /// The columns of the factor.
-    #[inline(always)]
-    pub(crate) const fn columns(&self) -> [[R; 2]; 2] {
-        [[self.l_xx, self.l_yx], [R::ZERO, self.l_yy]]
     }
 
     /// Determinant.

@@ -49,7 +49,7 @@ impl<R: Real> Anisotropic<R> {
     /// ```
     #[inline(always)]
     pub fn saturating(factor: [R; 3]) -> Self {
-        Self::new(Roughness::from_matrix(Psd::saturating(factor)))
+        Self::new(Roughness::from_matrix(Psd::saturating_cholesky(factor)))
     }
 
     /// The roughness.
@@ -62,6 +62,13 @@ impl<R: Real> Anisotropic<R> {
 impl<R: Real> From<Roughness<R>> for Anisotropic<R> {
     fn from(roughness: Roughness<R>) -> Self {
         Self::new(roughness)
+    }
+}
+
+/// [`Anisotropic::roughness`].
+impl<R: Real> From<Anisotropic<R>> for Roughness<R> {
+    fn from(shape: Anisotropic<R>) -> Self {
+        shape.roughness()
     }
 }
 

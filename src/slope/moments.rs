@@ -7,6 +7,7 @@ use super::direction::checked_slope;
 use super::lobe::Lobe;
 use super::roughness::Roughness;
 use crate::error::Error;
+use crate::scalar::exact::difference_of_products;
 use crate::scalar::{Psd, Real};
 
 /// Mean and covariance of slopes.
@@ -81,15 +82,28 @@ impl<R: Real> SlopeMoments<R> {
         if let Some(&beyond) = second.iter().find(|m| !(m.abs() <= R::LARGEST * R::LARGEST)) {
             return Err(Error::MatrixEntry(beyond.into()));
         }
-        let center = Self::of_slope([x, y])?;
-        let central =
-            |raw: R, a: R, b: R| crate::scalar::exact::difference_of_products(raw, R::ONE, a, b);
-        let covariance = Psd::nearest(
-            central(second[0], x, x),
-            central(second[1], x, y),
-            central(second[2], y, y),
-        );
-        Ok(Self { covariance, ..center })
+        let mean = checked_slope([x, y])?;
+        Ok(Self { mean, covariance: central(mean, second) })
+    }
+
+    /// From raw moments of a texture: [`SlopeMoments::from_raw`] of the nearest numbers in its
+    /// ranges, of 0 where there is NaN.
+    ///
+    /// ```
+    /// use lobe::SlopeMoments;
+    /// let (mean, second) = ([0.5_f32, 0.0], [0.26, 0.0, 0.04]);
+    /// let moments = SlopeMoments::from_raw(mean, second)?;
+    /// assert_eq!(SlopeMoments::saturating_raw(mean, second), moments);
+    /// assert_eq!(SlopeMoments::saturating_raw([f32::NAN, 0.0], [0.0; 3]), Default::default());
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn saturating_raw(mean: impl Into<[R; 2]>, second: [R; 3]) -> Self {
+        let ([x, y], [xx, xy, yy]) = (mean.into(), second);
+        let mean = [within(x, R::LARGEST), within(y, R::LARGEST)];
+        let largest = R::LARGEST * R::LARGEST;
+        let second = [within(xx, largest), within(xy, largest), within(yy, largest)];
+        Self { mean, covariance: central(mean, second) }
     }
 
     /// The mean slope.
@@ -144,4 +158,18 @@ impl<R: Real> SlopeMoments<R> {
         let roughness = base + Roughness::from_covariance(self.covariance);
         Lobe::centered(roughness).with_mean(self.mean)
     }
+}
+
+/// The nearest covariance of raw second moments about a mean.
+#[inline(always)]
+fn central<R: Real>([x, y]: [R; 2], [xx, xy, yy]: [R; 3]) -> Psd<R> {
+    let about = |raw: R, a: R, b: R| difference_of_products(raw, R::ONE, a, b);
+    Psd::nearest(about(xx, x, x), about(xy, x, y), about(yy, y, y))
+}
+
+/// The nearest number up to `largest` in size, 0 for NaN.
+#[inline(always)]
+fn within<R: Real>(x: R, largest: R) -> R {
+    let bounded = x.max(-largest).min(largest);
+    if x.abs() >= R::ZERO { bounded } else { R::ZERO }
 }

@@ -15,6 +15,7 @@ mod tables;
 
 mod algebra;
 mod backward;
+mod batch;
 mod binomial;
 mod cells;
 mod certificates;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 /// Folder or file under src/, and its layer.
-const LAYERS: [(&str, u8); 10] = [
+const LAYERS: [(&str, u8); 11] = [
     ("error", 0),
     ("scalar", 0),
     ("wgsl", 0),
@@ -13,6 +13,7 @@ const LAYERS: [(&str, u8); 10] = [
     ("ndf", 2),
     ("filter", 3),
     ("material", 4),
+    ("batch", 5),
     ("shade", 5),
     ("gpu", 6),
     ("data", 6),
