@@ -173,6 +173,7 @@ feature_sets() {
     local features
     export CARGO_TARGET_DIR=$CARGO_TARGET_DIR/features
     for features in std libm std,libm std,probe std,glam libm,glam std,libm,glam \
+        std,dispatch std,avx512 \
         std,serde libm,serde,lean,leadr,glint std,bytemuck,wgsl \
         std,published std,wgsl std,lean std,leadr std,glint libm,glint,wgsl libm,lean libm,leadr \
         libm,wgsl libm,published,wgsl libm,lean,leadr,published,wgsl; do

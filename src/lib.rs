@@ -52,6 +52,7 @@
 //! - [`material::multilobe`] has the same from a dictionary of many-lobed densities, each of which
 //!   integrates to 1: masked exactly, sampled, filtered over curvature, laid over normal maps.
 //! - [`shade`] puts it together for a renderer that wants one call per light.
+//! - [`batch`] evaluates arrays of elements, an array for each number, in lanes.
 //! - [`mod@wgsl`] has all of it for shaders, and gives out what one needs.
 //!
 //! # Notation
@@ -112,6 +113,8 @@
 //! | `leadr` (default) | displaced surfaces under lights and environments, [`material::leadr`] |
 //! | `glint` (default) | [`material::glint`], [`material::multilobe`]; needs an allocator |
 //! | `wgsl` (default) | the same functions in WGSL, as text: [`mod@wgsl`]; needs an allocator |
+//! | `dispatch` | [`batch`] by the machine's best instructions up to AVX2, chosen at run time |
+//! | `avx512` | the same up to AVX-512; needs Rust 1.89 |
 //! | `probe` | precisions that count operations and bound rounding: for checks, not for shading |
 //! | `serde` | `Serialize` and `Deserialize` of plain data, by constructors where there are any |
 //! | `bytemuck` | plain structures for buffers, laid out as those of the port: `gpu` |
