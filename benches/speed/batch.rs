@@ -5,7 +5,7 @@
 
 use super::cases::{Case, EVALUATION};
 use super::columns::{Column, EMPTY, Inputs, columns};
-use super::samples::{COUNT, Sample, Regime, samples};
+use super::samples::{COUNT, Regime, Sample, samples};
 use lobe::PixelFilter;
 use lobe::batch::{Footprint, Ggx, Isotropic, Widened};
 use std::hint::black_box;
@@ -16,12 +16,15 @@ fn slices<const N: usize>(columns: &[Column; N]) -> [&[f32]; N] {
     columns.each_ref().map(|column| &column[..COUNT])
 }
 
+/// What a row computes of parameters and directions.
+type Batch<const N: usize> = fn([&[f32]; N], [&[f32]; 6], &mut [f32]);
+
 /// A row of directions and parameters.
 fn row<const N: usize>(
     inputs: &Inputs,
     name: &'static str,
     pick: fn(&Sample) -> [f32; N],
-    batch: fn([&[f32]; N], [&[f32]; 6], &mut [f32]),
+    batch: Batch<N>,
 ) -> Case {
     let parameters: Rc<[Column; N]> = columns(&inputs.samples, pick);
     let directions = inputs.directions.clone();

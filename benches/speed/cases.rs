@@ -5,7 +5,7 @@
 
 use super::limit::Operations;
 use super::samples::{COUNT, Regime, Sample, samples};
-use super::{evaluations, glints, hand_written, maps};
+use super::{batch, evaluations, glints, hand_written, maps};
 use lobe::{Anisotropic, AxisAligned, Footprint, Ggx, Isotropic, Roughness, filter};
 use std::hint::black_box;
 
@@ -97,6 +97,7 @@ fn footprints(regime: Regime) -> Vec<Case> {
 /// Every case of the bench.
 pub(crate) fn all() -> Vec<Case> {
     let mut cases = evaluations::rows();
+    cases.extend(batch::rows());
     for regime in Regime::ALL {
         cases.extend(footprints(regime));
     }

@@ -6,6 +6,7 @@
 //! measures the ratios alone, `-- --json FILE` and `-- --ladder FILE` write them; any other
 //! argument is criterion's, a name its filter.
 
+mod batch;
 mod cases;
 mod columns;
 mod cpp;

@@ -129,6 +129,9 @@ fn element<R: Copy, const N: usize>(columns: &[Vec<R>; N], k: usize) -> [R; N] {
     std::array::from_fn(|n| columns[n][k])
 }
 
+/// A deferred alpha of one element.
+type Deferred<R> = fn(R, [R; 3], [R; 3], PixelFilter, R) -> Result<R, Error>;
+
 /// Equal bits, or NaN both times.
 #[track_caller]
 fn equal<R: Real>(got: &[R], want: impl Fn(usize) -> R) {
@@ -291,7 +294,7 @@ fn deferred_alphas_agree<R: Real>() {
         let mut out = vec![R::ZERO; data.length()];
         let ([a, b, c, d, e, f], alphas) = (slices(&data.turns), data.alphas[0].as_slice());
         let (u, v, limit) = ([a, b, c], [d, e, f], R::lit(0.18));
-        let one = |k: usize, of: fn(R, [R; 3], [R; 3], PixelFilter, R) -> Result<R, Error>| {
+        let one = |k: usize, of: Deferred<R>| {
             let [a, b, c, d, e, f] = element(&data.turns, k);
             of(data.round(k).alpha(), [a, b, c], [d, e, f], FILTER, limit).expect("an alpha")
         };
