@@ -41,7 +41,8 @@
 //! - Downstream, an [`Ndf`] ([`Ggx`] or [`Beckmann`]) over a [`LobeShape`] answers what shading
 //!   asks: density, projected area, Lambda, G1, G2, visibility, the BRDF without Fresnel. Choose
 //!   the shape the scene needs: [`Isotropic`] costs what hand-written isotropic code costs,
-//!   [`Anisotropic`] takes any anisotropy, [`NonCentered`] any mean.
+//!   [`Anisotropic`] takes any anisotropy, [`NonCentered`] any mean, and [`Kernel::widen`] puts any
+//!   of them under a pixel.
 //! - [`filter`] has the rest: exact means over polygons, proxies with the right peak, filtering on
 //!   the projected disk, roughness for G-buffers, area lights, what engines ship, the papers'
 //!   formulas as printed.
@@ -88,8 +89,10 @@
 //! Every function is written once for `f32` and `f64` ([`Real`]). Constructors refuse what they
 //! cannot serve; evaluation is total: for finite input in the documented domain it never returns
 //! NaN, infinity or a negative number. For alpha from 1e-4 to 30, correlations up to 0.9999, slopes
-//! to 1e3 and footprints from 1e-5 to 1e2, relative errors on inputs that are exact in the
-//! precision are held to:
+//! to 1e3 and footprints from 1e-5 to 1e2, two promises hold. Densities, areas, masking and BRDFs of
+//! every shape are *backward* accurate: the result is exact for inputs and result moved by at most
+//! 16 eps. [`slope::Compensated`] is *forward* accurate, for entries of A and means that are exact
+//! in the precision; its relative errors, and those of means over polygons, are held to:
 //!
 //! | | f32 | f64 |
 //! |---|---|---|
