@@ -118,6 +118,10 @@ impl<R: Real> Whiten for Anisotropic<R> {
     fn major(&self) -> ([R; 2], R) {
         major_of(self.factor.entries())
     }
+    #[inline(always)]
+    fn factor(&self) -> [R; 3] {
+        self.factor.cholesky()
+    }
 }
 
 /// [`Whiten::major`] of a matrix with these entries.

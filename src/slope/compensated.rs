@@ -142,4 +142,8 @@ impl<R: Real> Whiten for Compensated<R> {
     fn major(&self) -> ([R; 2], R) {
         major_of([self.xx, self.xy, self.yy])
     }
+    #[inline(always)]
+    fn factor(&self) -> [R; 3] {
+        Psd::with_root_det([self.xx, self.xy, self.yy], self.root_det).cholesky()
+    }
 }

@@ -118,4 +118,12 @@ impl<S: Whiten> Whiten for NonCentered<S> {
     fn major(&self) -> ([S::Scalar; 2], S::Scalar) {
         self.shape.major()
     }
+    #[inline(always)]
+    fn factor(&self) -> [S::Scalar; 3] {
+        self.shape.factor()
+    }
+    #[inline(always)]
+    fn whiten_with(&self, v: [S::Scalar; 2], inverse_root_det: S::Scalar) -> [S::Scalar; 2] {
+        self.shape.whiten_with(v, inverse_root_det)
+    }
 }

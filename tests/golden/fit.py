@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Fits the polynomials of src/scalar/{exp,ln,atan,erfc,quantile}.rs and the factors of
-src/filter/proxy.rs, and prints them.
+"""Fits the polynomials of src/scalar/{exp,ln,atan,erfc,quantile}.rs and of
+src/filter/polygon/lanes.rs and the factors of src/filter/proxy.rs, and prints them.
 
 Usage: python3 fit.py [name ...]      (all fits when no name is given)
 
@@ -197,6 +197,44 @@ def fit_atan(name, bits, degree):
         return s * t / mp.atan(t) if s else mpf(0)
 
     report(name, Fit(core, weight, 0, 1, degree), bits)
+
+
+def fit_atan_joined(name, bits, degree):
+    """As fit_atan, but with atan(1) = pi/4 exactly: the ranges of an angle join without a step.
+
+    P(s) = P(1) + (s - 1) Q(s), Q fitted. All coefficients but the lowest are rounded; that one takes
+    up what is missing at 1, and is rounded last.
+    """
+    end = mp.pi / 4 - 1
+
+    def core(s):
+        t = mp.sqrt(s)
+        with mp.extradps(20):
+            return (mp.atan(t) / t - 1) / s if s else mpf(-1) / 3
+
+    def quotient(s):
+        s = min(s, 1 - mpf(10) ** -20)
+        return (core(s) - end) / (s - 1)
+
+    def weight(s):
+        t = mp.sqrt(s)
+        return s * t / mp.atan(t) if s else mpf(0)
+
+    q = Fit(quotient, lambda s: (1 - s) * weight(s), 0, 1, degree - 1).remez()
+    high = [rounded(a - b, bits) for a, b in zip(q, q[1:] + [mpf(0)])]
+    coefs = [rounded(end - sum(high), bits)] + high
+    grid = [mpf(n) / 4000 for n in range(1, 4001)]
+    worst, at = max((abs(weight(s) * (core(s) - horner(coefs, s))), s) for s in grid)
+    kind = "f32" if bits == SINGLE else "f64"
+    step = abs(1 + sum(coefs) - mp.pi / 4)
+    print(
+        f"// {name}: degree {degree}, error {mp.nstr(worst, 3)} (2^{mp.nstr(mp.log(worst, 2), 4)}) "
+        f"at {mp.nstr(at, 4)}, step at 1 {mp.nstr(2 * step, 2)}"
+    )
+    print(f"const {name.upper()}: [{kind}; {len(coefs)}] = [")
+    for c in coefs:
+        print(f"    {literal(c, bits)},")
+    print("];", flush=True)
 
 
 def fit_atan_excess(name, bits, degree):
@@ -432,6 +470,8 @@ FITS = {
     "ln_f64": lambda n: fit_ln(n, DOUBLE, 6),
     "atan_f32": lambda n: fit_atan(n, SINGLE, 8),
     "atan_f64": lambda n: fit_atan(n, DOUBLE, 20),
+    "atan_joined_f32": lambda n: fit_atan_joined(n, SINGLE, 5),
+    "atan_joined_f64": lambda n: fit_atan_joined(n, DOUBLE, 12),
     "atan_excess_f32": lambda n: fit_atan_excess(n, SINGLE, 10),
     "atan_excess_f64": lambda n: fit_atan_excess(n, DOUBLE, 22),
     "erfcx_f32": lambda n: fit_erfcx(n, SINGLE, 10, mpf(83) / 32),

@@ -36,6 +36,7 @@ mod glints;
 mod golden;
 mod groove;
 mod jacobian;
+mod lanes;
 mod leadr;
 mod lean;
 mod length;
