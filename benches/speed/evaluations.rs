@@ -7,7 +7,8 @@
 use super::cases::Case;
 use super::columns::Inputs;
 use super::formulas::{
-    axis_aligned, brdf_over, full, isotropic, parallelogram, peak_fitted, peak_fitted_full, tilted,
+    axis_aligned, brdf_over, brdf_over_in_lanes, full, isotropic, parallelogram,
+    parallelogram_by_double, parallelogram_in_lanes, peak_fitted, peak_fitted_full, tilted,
     tilted_axis_aligned, tilted_isotropic, widened_axis_aligned, widened_full, widened_isotropic,
     widened_on_disk, widened_tilted_axis_aligned, widened_tilted_full, widened_tilted_isotropic,
 };
@@ -167,6 +168,24 @@ pub(crate) fn rows() -> Vec<Case> {
             parallelogram,
         ),
         inputs.baked_row("ggx_brdf_over_tree", footprint, any, brdf_over, any, brdf_over),
+        inputs.row(
+            "ggx_parallelogram_f32",
+            joined!(factor, slope, footprint),
+            parallelogram_in_lanes,
+            parallelogram_in_lanes,
+        ),
+        inputs.uncounted_row(
+            "ggx_parallelogram_f64",
+            joined!(factor, slope, footprint),
+            |_| (),
+            |pair, p, ()| parallelogram_by_double(pair, p),
+        ),
+        inputs.row(
+            "ggx_brdf_over_f32",
+            joined!(factor, footprint),
+            brdf_over_in_lanes,
+            brdf_over_in_lanes,
+        ),
     ]);
     rows.extend(by_hand(&inputs));
     rows

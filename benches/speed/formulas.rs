@@ -91,3 +91,25 @@ pub(crate) fn parallelogram<R: Real>(_: Pair<R>, p: [R; 6], shape: &Anisotropic<
 pub(crate) fn brdf_over<R: Real>(pair: Pair<R>, [a, b, c, d]: [R; 4], shape: &Anisotropic<R>) -> R {
     Ggx::new(*shape).brdf_over(pair.wo, pair.wi, &Footprint::from_slopes([a, b], [c, d]))
 }
+
+/// The mean of any A over a parallelogram, without a branch.
+#[inline(always)]
+pub(crate) fn parallelogram_in_lanes<R: Real>(_: Pair<R>, p: [R; 9]) -> R {
+    let [l_xx, l_yx, l_yy, x, y, a, b, c, d] = p;
+    let ggx = Ggx::new(Anisotropic::saturating([l_xx, l_yx, l_yy]));
+    ggx.parallelogram_mean_in_lanes([x, y], &Footprint::from_slopes([a, b], [c, d]))
+}
+
+/// The same in f64, for columns of f32.
+#[inline(always)]
+pub(crate) fn parallelogram_by_double(pair: Pair<f32>, p: [f32; 9]) -> f32 {
+    let wide = Pair { wo: pair.wo.map(f64::from), wi: pair.wi.map(f64::from) };
+    parallelogram_in_lanes(wide, p.map(f64::from)) as f32
+}
+
+#[inline(always)]
+pub(crate) fn brdf_over_in_lanes<R: Real>(pair: Pair<R>, p: [R; 7]) -> R {
+    let [l_xx, l_yx, l_yy, a, b, c, d] = p;
+    let ggx = Ggx::new(Anisotropic::saturating([l_xx, l_yx, l_yy]));
+    ggx.brdf_over_in_lanes(pair.wo, pair.wi, &Footprint::from_slopes([a, b], [c, d]))
+}

@@ -23,12 +23,15 @@ const STEPS: [(&str, [&str; 4]); 3] = [
 ];
 
 /// Other rows that stand below, and what they are.
-const OTHERS: [(&str, &str); 9] = [
+const OTHERS: [(&str, &str); 12] = [
     ("ggx_widened_on_disk", "GGX, isotropic, widened on the projected disk"),
     ("ggx_peak_fitted", "GGX, isotropic, widened to the right peak"),
     ("ggx_peak_fitted_full", "GGX, any A, widened to the right peak"),
-    ("ggx_parallelogram_tree", "GGX, any A: the mean over a parallelogram"),
-    ("ggx_brdf_over_tree", "GGX, any A: the BRDF over a parallelogram"),
+    ("ggx_parallelogram_f32", "GGX, any A: the mean over a parallelogram in lanes"),
+    ("ggx_parallelogram_f64", "GGX, any A: that mean in lanes of f64"),
+    ("ggx_parallelogram_tree", "GGX, any A: that mean by the tree"),
+    ("ggx_brdf_over_f32", "GGX, any A: the BRDF over a parallelogram in lanes"),
+    ("ggx_brdf_over_tree", "GGX, any A: that BRDF by the tree"),
     ("ggx_axis_aligned_aos", "GGX, axis-aligned, over records"),
     ("cpp_ggx_isotropic", "C++: GGX, isotropic"),
     ("cpp_ggx_axis_aligned", "C++: GGX, axis-aligned"),
@@ -44,8 +47,8 @@ pub(crate) fn text(cases: &mut [Case], machine: &[String]) -> String {
     };
     let mut text = format!(
         "Time of one evaluation over that of `{BASE}`, {base:.2} ns: loops over 4096 f32 samples \
-         on one core.\nShapes are built from each sample's numbers; those of any A that is not \
-         widened, before.\n\n"
+         on one core.\nShapes are built from each sample's numbers, those of any A from their \
+         factors.\n\n"
     );
     for line in machine {
         let _ = writeln!(text, "- {line}");
