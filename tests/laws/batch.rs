@@ -142,11 +142,25 @@ fn equal<R: Real>(got: &[R], want: impl Fn(usize) -> R) {
     }
 }
 
-/// All that a distribution gives of shapes, of columns and `one` by one.
-fn agrees<D: Distribution, S: Columns<Item: LobeShape<Scalar = R>>, R: Real>(
+/// Density and BRDF of GGX over shapes, of columns and `one` by one.
+fn agrees<S: Columns<Item: LobeShape<Scalar = R>>, R: Real>(
     data: &Data<R>,
     shapes: S,
-    one: &impl Fn(usize) -> S::Item,
+    one: impl Fn(usize) -> S::Item,
+) {
+    let (ndf, batch) = (|k| Ggx::new(one(k)), batch::Ggx::new(shapes));
+    let mut out = vec![R::ZERO; data.length()];
+    batch.slope_pdf(slices(&data.slope), &mut out).expect("one length");
+    equal(&out, |k| ndf(k).slope_pdf(element(&data.slope, k)));
+    batch.brdf(slices(&data.wo), slices(&data.wi), &mut out).expect("one length");
+    equal(&out, |k| ndf(k).brdf(element(&data.wo, k), element(&data.wi, k)));
+}
+
+/// The same of all that a distribution gives.
+fn all_agrees<D: Distribution, S: Columns<Item: LobeShape<Scalar = R>>, R: Real>(
+    data: &Data<R>,
+    shapes: S,
+    one: impl Fn(usize) -> S::Item,
 ) {
     let ndf = |k| Ndf::<D, S::Item>::new(one(k));
     let (batch, up) = (batch::Ndf::<D, S>::new(shapes), [R::lit(0.6), R::ZERO, R::lit(0.8)]);
@@ -163,20 +177,8 @@ fn agrees<D: Distribution, S: Columns<Item: LobeShape<Scalar = R>>, R: Real>(
     equal(&out, |k| ndf(k).g1(o(k)));
     batch.visibility(wo, wi, &mut out).expect("one length");
     equal(&out, |k| ndf(k).visibility(o(k), i(k)));
-    batch.brdf(wo, wi, &mut out).expect("one length");
-    equal(&out, |k| ndf(k).brdf(o(k), i(k)));
     batch.brdf(Fixed(up), wi, &mut out).expect("one length");
     equal(&out, |k| ndf(k).brdf(up, i(k)));
-}
-
-/// Of GGX and of Beckmann.
-fn both_agree<S: Columns<Item: LobeShape<Scalar = R>>, R: Real>(
-    data: &Data<R>,
-    shapes: S,
-    one: impl Fn(usize) -> S::Item,
-) {
-    agrees::<GgxDistribution, S, R>(data, shapes, &one);
-    agrees::<BeckmannDistribution, S, R>(data, shapes, &one);
 }
 
 /// Lengths around those of lanes, and of more than one block.
@@ -187,19 +189,20 @@ fn lengths() -> impl Iterator<Item = usize> {
 fn shapes_agree<R: Real>() {
     for data in lengths().map(Data::<R>::new) {
         let (alphas, means) = (slices(&data.alphas), slices(&data.mean));
-        both_agree(&data, batch::Isotropic(alphas[0]), |k| data.round(k));
+        agrees(&data, batch::Isotropic(alphas[0]), |k| data.round(k));
         let alpha = R::lit(0.2);
-        both_agree(&data, batch::Isotropic(Fixed(alpha)), |_| Isotropic::saturating(alpha));
+        agrees(&data, batch::Isotropic(Fixed(alpha)), |_| Isotropic::saturating(alpha));
         let aligned = |k: usize| AxisAligned::saturating(data.alphas[0][k], data.alphas[1][k]);
-        both_agree(&data, batch::AxisAligned(alphas), aligned);
+        agrees(&data, batch::AxisAligned(alphas), aligned);
         let any = batch::Anisotropic(slices(&data.factor));
-        both_agree(&data, any, |k| data.any(k));
-        both_agree(&data, batch::NonCentered { shapes: any, means }, |k| {
-            NonCentered::saturating(data.any(k), element(&data.mean, k))
-        });
+        agrees(&data, any, |k| data.any(k));
+        let tilted = |k| NonCentered::saturating(data.any(k), element(&data.mean, k));
+        let shapes = batch::NonCentered { shapes: any, means };
+        all_agrees::<GgxDistribution, _, R>(&data, shapes, tilted);
+        all_agrees::<BeckmannDistribution, _, R>(&data, shapes, tilted);
         let mean = [R::lit(0.3), R::lit(-0.1)];
         let round = batch::Isotropic(alphas[0]);
-        both_agree(&data, batch::NonCentered { shapes: round, means: Fixed(mean) }, |k| {
+        agrees(&data, batch::NonCentered { shapes: round, means: Fixed(mean) }, |k| {
             NonCentered::saturating(data.round(k), mean)
         });
     }
@@ -209,21 +212,21 @@ fn widened_shapes_agree<R: Real>() {
     for data in lengths().map(Data::<R>::new) {
         let (footprints, filter) = (data.footprints(), FILTER);
         let shapes = batch::Isotropic(data.alphas[0].as_slice());
-        both_agree(&data, batch::Widened { shapes, footprints, filter }, |k| {
+        agrees(&data, batch::Widened { shapes, footprints, filter }, |k| {
             data.kernel(k).widen(data.round(k))
         });
-        both_agree(&data, batch::WidenedOnDisk { shapes, footprints, filter }, |k| {
+        agrees(&data, batch::WidenedOnDisk { shapes, footprints, filter }, |k| {
             data.disk_kernel(k).widen(data.round(k))
         });
         let (any, means) = (batch::Anisotropic(slices(&data.factor)), slices(&data.mean));
         let tilted = |k| NonCentered::saturating(data.any(k), element(&data.mean, k));
         let shapes = batch::NonCentered { shapes: any, means };
-        both_agree(&data, batch::WidenedToPeak { shapes, footprints, filter }, |k| {
+        agrees(&data, batch::WidenedToPeak { shapes, footprints, filter }, |k| {
             data.kernel(k).widen_to_peak(tilted(k))
         });
         let pixel = lobe::Footprint::rectangle([R::lit(0.1), R::lit(0.02)]);
         let footprints = Fixed(pixel);
-        both_agree(&data, batch::Widened { shapes, footprints, filter }, |k| {
+        agrees(&data, batch::Widened { shapes, footprints, filter }, |k| {
             Kernel::of(&pixel, filter).widen(tilted(k))
         });
     }
@@ -235,11 +238,11 @@ fn moments_agree<R: Real>() {
         let moments =
             |k| SlopeMoments::saturating_raw(element(&data.mean, k), element(&data.second, k));
         let base = batch::Isotropic(data.alphas[0].as_slice());
-        both_agree(&data, batch::SlopeMoments { means, seconds, base }, |k| {
+        agrees(&data, batch::SlopeMoments { means, seconds, base }, |k| {
             moments(k).lobe(data.round(k).into()).shape()
         });
         let one = Roughness::from_matrix(Psd::saturating_cholesky([R::HALF, R::HALF, R::HALF]));
-        both_agree(&data, batch::SlopeMoments { means, seconds, base: Fixed(one) }, |k| {
+        agrees(&data, batch::SlopeMoments { means, seconds, base: Fixed(one) }, |k| {
             moments(k).lobe(one).shape()
         });
     }
