@@ -19,15 +19,17 @@ impl Sealed for BeckmannDistribution {
 impl Distribution for BeckmannDistribution {
     #[inline(always)]
     fn density<R: Real>(form: R, extent: Extent<R>, z: R, length_squared: R, weight: R) -> R {
-        let Extent { root_det, unit, .. } = extent;
-        let z2 = z * z;
-        // Two halves of the exponential: e^-q may be subnormal where e^-q / sqrt(det A) is not. A
-        // mirror's exponent has nothing to divide by.
-        let e = (-R::HALF * form / (unit * z2).max(R::MIN_POSITIVE)).exp();
-        let ratio = length_squared / z2;
-        let half = e * ratio;
-        let density = half * (half / root_det * weight).kept();
-        if e.min(root_det) > R::ZERO { density } else { R::ZERO }
+        let Extent { unit, scale, .. } = extent;
+        // One division serves all. A mirror has nothing to divide by: four times the smallest
+        // number leaves length^2 over it finite.
+        let least = R::TWO * R::TWO * R::MIN_POSITIVE;
+        let inverse = (R::ONE / (unit * (z * z)).max(least)).kept();
+        // Two halves of the exponential: e^-q may be subnormal where e^-q / sqrt(det A) is not.
+        let e = (-R::HALF * form * inverse).exp_of_negative();
+        // l^2/z^2, and the same over sqrt(det A), as the unit is sqrt(det A) times the scale.
+        let inverse = (length_squared * inverse).kept();
+        let half = e * (unit * inverse);
+        half.product_or_zero(e * (scale * inverse).kept() * weight)
     }
 
     /// $\sigma = \frac{c}{2}(1 + \mathrm{erf}\,v) + \frac{a}{2\sqrt\pi} e^{-v^2}$ with $v = c/a$,

@@ -57,7 +57,8 @@ fn inverse_pi<R: Real>() -> R {
 /// below the horizon of the mean plane, and for a mirror, densities are 0. Finite input in the
 /// documented domain (alpha 0 or 1e-9 to 1e9, slopes and means to 1e9 in f32) never gives NaN or
 /// infinity.
-// Further methods: ndf/masking.rs, ndf/beckmann.rs, filter/polygon/tree.rs, filter/polygon/brdf.rs.
+// Further methods: ndf/masking.rs, ndf/beckmann.rs, filter/polygon/tree.rs.
+// Further methods: filter/polygon/brdf.rs, filter/polygon/lanes.rs, filter/polygon/height.rs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ndf<D, S> {
     shape: S,

@@ -28,6 +28,12 @@ const EXP_F64: [f64; 11] = [
     2.082_671_167_596_947e-9,
 ];
 
+/// Coefficients of (exp(r) - 1 - r)/r^2 in r, |r| <= 0.3475, where a few roundings do.
+///
+/// Maximal error relative to exp(r): 1.08e-7 (2^-23.14), at r = 0.2868.
+/// Fitted by `tests/golden/fit.py`, `fit_exp("exp_of_negative_f32", ...)`.
+const EXP_OF_NEGATIVE_F32: [f32; 4] = [0.499_992_25, 0.166_671_22, 0.041_891_333, 8.312_437e-3];
+
 /// ln(2) in two parts: the first has 15 significant bits, so that its product with k is exact.
 ///
 /// Together they miss ln(2) by 5.5e-14. Split by `tests/golden/fit.py`, `split("ln_two_f32", ...)`.
@@ -81,6 +87,35 @@ pub(crate) fn exp_difference_f32<S: Single>(x: S, d: S) -> S {
     let half = biased >> 1;
     let e = (p * S::of_bits(half << 23)).kept() * S::of_bits(biased.wrapping_sub(half) << 23);
     if vanishes { S::ZERO } else { e }
+}
+
+/// exp(x) for x <= 0 in two thirds of the operations: one scale, a shorter polynomial.
+///
+/// 0 below -87, where results are about to turn subnormal, and for NaN. Measured error: at most
+/// 2.41 ulp (at -37.7257).
+#[inline(always)]
+pub(crate) fn exp_of_negative_f32<S: Single>(x: S) -> S {
+    let least = S::of(-87.0);
+    let bounded = x.max(least);
+    let rounder = S::of(ROUNDER_F32);
+    let shifted = (bounded * S::of(core::f32::consts::LOG2_E) + rounder).kept();
+    let k = shifted - rounder;
+    let r = (bounded - k * S::of(LN_TWO_F32[0])).kept() - k * S::of(LN_TWO_F32[1]);
+    let c = |n: usize| S::of(EXP_OF_NEGATIVE_F32[n]);
+    let p = ((((c(3) * r + c(2)) * r + c(1)) * r + c(0)) * r + S::ONE) * r + S::ONE;
+    // The low bits of the shifted number are k: they go to the exponent, and the others beyond.
+    let e = S::of_bits(p.bits().wrapping_add(shifted.bits() << 23));
+    if x >= least { e } else { S::ZERO }
+}
+
+/// The product of two numbers that are not negative; 0 where it is too small for a normal number.
+///
+/// Machines that do not flush take a hundred cycles for a product that is subnormal or too small
+/// even for that. The sum of the bits is near the logarithm of the product, and never above it.
+#[inline(always)]
+pub(crate) fn product_or_zero_f32<S: Single>(a: S, b: S) -> S {
+    let has_digits = a.bits().wrapping_add(b.bits()) >= 127 << 23;
+    a * if has_digits { b } else { S::ZERO }
 }
 
 /// The exponential function, exp(x) = 2^k exp(r) with x = k ln(2) + r.

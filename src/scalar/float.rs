@@ -4,10 +4,11 @@
 
 use super::real::{Internal, Real};
 use super::{atan, erfc, exp, ln, math};
+use core::ops::Mul;
 
 macro_rules! impl_real {
     ($t:ident, $single:literal, $mask:literal, $fraction:literal, $bias:literal, $sqrt:ident,
-     $exp:ident, $ln:ident, $atan:ident, $atan2:ident,
+     $exp:ident, $exp_of_negative:ident, $product:path, $ln:ident, $atan:ident, $atan2:ident,
      $upper_angle:ident, $atan_excess:ident, $erfc:ident, $erfcx:ident, $ierfcx:ident,
      $ierfc:ident) => {
         impl Internal for $t {
@@ -20,6 +21,14 @@ macro_rules! impl_real {
             #[inline(always)]
             fn atan_excess(self) -> Self {
                 atan::$atan_excess(self)
+            }
+            #[inline(always)]
+            fn exp_of_negative(self) -> Self {
+                exp::$exp_of_negative(self)
+            }
+            #[inline(always)]
+            fn product_or_zero(self, other: Self) -> Self {
+                $product(self, other)
             }
             #[inline(always)]
             fn upper_half(self) -> Self {
@@ -108,6 +117,8 @@ impl_real!(
     127,
     sqrt_f32,
     exp_f32,
+    exp_of_negative_f32,
+    exp::product_or_zero_f32,
     ln_f32,
     atan_f32,
     atan2_f32,
@@ -126,6 +137,8 @@ impl_real!(
     1023,
     sqrt_f64,
     exp_f64,
+    exp_f64,
+    Mul::mul,
     ln_f64,
     atan_f64,
     atan2_f64,

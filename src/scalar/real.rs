@@ -129,6 +129,12 @@ pub trait Internal: Copy {
     fn upper_angle(self, x: Self) -> Self;
     /// $\arctan x - x/(1 + x^2)$ on \[0, 1\], without the cancellation of that difference.
     fn atan_excess(self) -> Self;
+    /// $e^x$ for $x \le 0$ at the price of a few roundings; 0 where it has no digits
+    /// (`lobe_exp_of_negative` in WGSL).
+    fn exp_of_negative(self) -> Self;
+    /// The product of two numbers that are not negative; 0, or what rounding leaves, where it is
+    /// too small for a normal number (`lobe_product_or_zero` in WGSL).
+    fn product_or_zero(self, other: Self) -> Self;
     /// The upper half of the significand, the lower half set to zero; what is left, `self - upper`,
     /// is exact, and products of upper halves are exact.
     fn upper_half(self) -> Self;

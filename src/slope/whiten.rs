@@ -33,8 +33,7 @@ pub trait Whiten: LobeShape {
     #[doc(alias = "lobe_anisotropic_major")]
     fn major(&self) -> ([Self::Scalar; 2], Self::Scalar);
 
-    /// The factor itself, $[l_{xx}, l_{yx}, l_{yy}]$ of $L = \begin{pmatrix} l_{xx} & 0 \\\\ l_{yx}
-    /// & l_{yy} \end{pmatrix}$.
+    /// The factor itself, lower triangular: $[l_{xx}, l_{yx}, l_{yy}]$.
     ///
     /// ```
     /// use lobe::{AxisAligned, slope::Whiten};
@@ -43,8 +42,8 @@ pub trait Whiten: LobeShape {
     /// ```
     fn factor(&self) -> [Self::Scalar; 3];
 
-    /// $L^{-1} v$ of a difference of slopes in plain arithmetic, given $1/\sqrt{\det A}$: one division
-    /// serves all vectors of a lobe. Good to some roundings of the largest product, where
+    /// $L^{-1} v$ of a difference of slopes in plain arithmetic, given $1/\sqrt{\det A}$: one
+    /// division serves all vectors of a lobe. Good to some roundings of the largest product, where
     /// [`Whiten::whiten`] is good to some of its result.
     ///
     /// ```
@@ -52,7 +51,6 @@ pub trait Whiten: LobeShape {
     /// assert_eq!(AxisAligned::new(0.5_f64, 0.25)?.whiten_with([1.0, 1.0], 8.0), [2.0, 4.0]);
     /// # Ok::<(), lobe::Error>(())
     /// ```
-    #[doc(alias = "lobe_anisotropic_whiten_with")]
     #[inline(always)]
     fn whiten_with(
         &self,

@@ -244,6 +244,11 @@ items! {
     FilterPolygonTree: file "filter_polygon_tree";
     GgxBrdfOver: fn "ggx_brdf_over", "Ndf::brdf_over";
     FilterPolygonBrdf: file "filter_polygon_brdf";
+    GgxParallelogramMeanInLanes: fn
+        "ggx_parallelogram_mean_in_lanes", "Ndf::parallelogram_mean_in_lanes";
+    FilterPolygonLanes: file "filter_polygon_lanes";
+    GgxBrdfOverInLanes: fn "ggx_brdf_over_in_lanes", "Ndf::brdf_over_in_lanes";
+    FilterPolygonHeight: file "filter_polygon_height";
     BoxPeakAlpha: fn "box_peak_alpha", "box_peak_alpha";
     GaussianPeakAlpha: fn "gaussian_peak_alpha", "gaussian_peak_alpha";
     KernelWidenToPeak: fn "kernel_widen_to_peak", "Kernel::widen_to_peak";

@@ -92,6 +92,8 @@ modules! {
     "filter/polygon/secant",
     "filter/polygon/tree",
     "filter/polygon/brdf",
+    "filter/polygon/lanes",
+    "filter/polygon/height",
     "filter/proxy",
     "filter/beckmann",
     "filter/deferred",

@@ -202,7 +202,7 @@ def fit_atan(name, bits, degree):
 def fit_atan_joined(name, bits, degree):
     """As fit_atan, but with atan(1) = pi/4 exactly: the ranges of an angle join without a step.
 
-    P(s) = P(1) + (s - 1) Q(s), Q fitted. All coefficients but the lowest are rounded; that one takes
+    P(s) = P(1) + (s - 1) Q(s), Q fitted. All coefficients but the lowest are rounded; that takes
     up what is missing at 1, and is rounded last.
     """
     end = mp.pi / 4 - 1
@@ -465,6 +465,7 @@ FITS = {
     "pi_f32": lambda n: split(n, +mp.pi, SINGLE, SINGLE),
     "pi_f64": lambda n: split(n, +mp.pi, DOUBLE, DOUBLE),
     "exp_f32": lambda n: fit_exp(n, SINGLE, 4),
+    "exp_of_negative_f32": lambda n: fit_exp(n, SINGLE, 3),
     "exp_f64": lambda n: fit_exp(n, DOUBLE, 10),
     "ln_f32": lambda n: fit_ln(n, SINGLE, 2),
     "ln_f64": lambda n: fit_ln(n, DOUBLE, 6),

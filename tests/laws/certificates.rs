@@ -42,6 +42,15 @@ fn exp_errs_as_stated() {
 }
 
 #[test]
+fn exp_of_negative_numbers_errs_as_stated() {
+    /// The trait that has it can be named in no bound but that of `Real`.
+    fn by<R: Real>(x: R) -> R {
+        x.exp_of_negative()
+    }
+    holds(2.41, worst(1e-8, 87.0, -1.0, by, pxfm::f_exp));
+}
+
+#[test]
 fn ln_errs_as_stated() {
     // From the smallest subnormal number.
     holds(0.84, worst(f32::from_bits(1), f32::MAX, 1.0, Real::ln, pxfm::f_log));

@@ -42,6 +42,35 @@ fn exp_is_exp() {
     check(50_000, |source| exponentials::<f32>(source, 87.0));
 }
 
+/// As exp, and 0 from where it turns subnormal. Products are products, or too small for a number.
+fn decays<R: Real>(source: &mut Source, largest: f64) -> TestCaseResult {
+    let (x, y): (R, R) = (-number::<R>(source, largest).abs(), number(source, largest));
+    // Of f32, results about to turn subnormal are 0.
+    if R::SINGLE && x < R::lit(-87.0) {
+        ensure(x.exp_of_negative() == R::ZERO, "0 below -87", &x)?;
+    } else {
+        rounds(x.exp_of_negative(), pxfm::f_exp(x.to_f64()), &x)?;
+    }
+    let (a, b) = (x.exp_of_negative(), (-y.abs()).exp_of_negative());
+    let (product, want) = (a.product_or_zero(b), a * b);
+    let lost = product == R::ZERO && want < R::MIN_POSITIVE;
+    ensure(product == want || lost, "a product, or 0", &(a, b))
+}
+
+#[test]
+fn exp_of_negative_numbers_is_exp() {
+    check(50_000, |source| decays::<f64>(source, 708.0));
+    check(50_000, |source| decays::<f32>(source, 120.0));
+    assert_eq!(fallen(-88.0_f32), 0.0);
+    assert_eq!((fallen(f32::NEG_INFINITY), fallen(f32::NAN), fallen(0.0_f32)), (0.0, 0.0, 1.0));
+    assert_eq!((fallen(f64::NEG_INFINITY), fallen(0.0_f64)), (0.0, 1.0));
+}
+
+/// The trait that has it can be named in no bound but that of `Real`.
+fn fallen<R: Real>(x: R) -> R {
+    x.exp_of_negative()
+}
+
 /// A positive number: any, near 1, subnormal, or at a power of two or of root two, where the
 /// reduction steps.
 fn positive<R: Real>(source: &mut Source) -> R {

@@ -141,10 +141,10 @@ fn types_say_where_their_further_methods_are() {
         }
         let above = text.split(&format!("\npub struct {name}")).next().unwrap_or_default();
         let comments = above.lines().rev().take_while(|line| line.starts_with(['#', '/']));
-        let mut comments = comments.filter_map(|line| line.strip_prefix("// Further methods: "));
-        let stated: BTreeSet<String> = comments.next().map_or_else(BTreeSet::new, |list| {
-            list.trim_end_matches('.').split(", ").map(str::to_owned).collect()
-        });
+        let stated: BTreeSet<String> = comments
+            .filter_map(|line| line.strip_prefix("// Further methods: "))
+            .flat_map(|list| list.trim_end_matches('.').split(", ").map(str::to_owned))
+            .collect();
         assert_eq!(stated, files, "src/{file}, {name}: `// Further methods: FILE, FILE.`");
         count += files.len();
     }

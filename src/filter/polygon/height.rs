@@ -1,7 +1,8 @@
-//! The BRDF over a footprint in straight-line code: how high the normals stand, from the mean alone.
+//! The BRDF over a footprint in straight-line code: how high the normals stand, from the mean
+//! alone.
 //!
-//! Layer 3. brdf.rs asks where a footprint and a lobe meet; here two Gaussians say it, with one root
-//! and two divisions.
+//! Layer 3. brdf.rs asks where a footprint and a lobe meet; here two Gaussians say it, with one
+//! root and two divisions.
 
 use super::lanes::{Halves, inverse_and_limit};
 use crate::ndf::{GgxDistribution, Ndf};
@@ -36,10 +37,10 @@ struct Meeting<R> {
 /// mean of $1/(1 + q)^2$ over it.
 ///
 /// $(1 + |s|^2)/(1 + q)$ is rate + (1 - rate) g with $g = 1/(1 + q)$ for a lobe that is round with
-/// $\alpha^2$ = rate. Any lobe is taken for that beyond the place that its mean comes from: the mean
-/// of lobe times footprint, both as Gaussians, the lobe's of the covariance $A (1 + q)/3$ at the
-/// mean's own q, the footprint's that of the box. The rate is how the covariance of their product
-/// whitens. The third was chosen like [`JENSEN`]; 1/3.5 to 1/2.5 do nearly as well.
+/// $\alpha^2$ = rate. Any lobe is taken for that beyond the place that its mean comes from: the
+/// mean of lobe times footprint, both as Gaussians, the lobe's of the covariance $A (1 + q)/3$ at
+/// the mean's own q, the footprint's that of the box. The rate is how the covariance of their
+/// product whitens. The third was chosen like [`JENSEN`]; 1/3.5 to 1/2.5 do nearly as well.
 #[inline(always)]
 fn raised<R: Real>(halves: &Halves<R>, at: &Meeting<R>, mean: R, centered: bool) -> R {
     let Halves { c, a, b, aa, bb, ca, cb, ab } = *halves;
@@ -75,27 +76,27 @@ impl<S: Whiten> Ndf<GgxDistribution, S> {
     /// [`Ndf::brdf_over`] for loops that become vectors, and for GPUs. Masking and shadowing are
     /// unfiltered.
     ///
-    /// With $M = \pi \sqrt{\det A}\,\overline{P_{22}}$ of [`Ndf::parallelogram_mean_in_lanes`], $m =
-    /// \sqrt M$, and the place $s_*$ that the mean comes from ($q_*$ in the lobe's units),
+    /// With $M = \pi \sqrt{\det A}\,\overline{P_{22}}$ of [`Ndf::parallelogram_mean_in_lanes`], $m
+    /// = \sqrt M$, and the place $s_*$ that the mean comes from ($q_*$ in the lobe's units),
     /// $\tilde D = [F^2 - 2 (1 - r)\, \rho \max(F - \rho, 0)]/(\pi \sqrt{\det A})$ where $F = \rho
     /// \max(1 - m (1 + q_*), 0) + m (1 + |s_*|^2)$. $\rho$ is how fast $1 + |s|^2$ grows with q
     /// around that place, $\alpha^2$ if the lobe is round, and r the ratio of the mean of 1/(1 + q)
     /// to m.
     ///
-    /// $\tilde D$ is an estimate; for centered lobes of alphas up to 1 it is never above the peak but
-    /// by rounding. Over
-    /// random lobes of alphas 0.05 to 0.9, slopes and footprints up to 2, it is within 10 % of the
-    /// mean of D in 99 of 100 draws and within a factor 2 in all of 12,000; up to 30, within 10 % in
-    /// 92 and within a factor 2 in 99 of 100. Rare ones come out far too large there: 1 of 12,000 by
-    /// a factor 16, where only the tip of a large footprint reaches a long lobe (tests/laws/lanes.rs).
+    /// $\tilde D$ is an estimate; for centered lobes of alphas up to 1 it is never above the peak
+    /// but by rounding. Over random lobes of alphas 0.05 to 0.9, slopes and footprints up to 2, it
+    /// is within 10 % of the mean of D in 99 of 100 draws and within a factor 2 in all of 12,000;
+    /// up to 30, within 10 % in 92 and within a factor 2 in 99 of 100. Rare ones come out far too
+    /// large there: 1 of 12,000 by a factor 16, where only the tip of a large footprint reaches a
+    /// long lobe (tests/laws/lanes.rs).
     ///
     /// A zero footprint gives the BRDF within 2e-5, but for half vectors that stand more than 1e9
     /// alphas from the lobe in f32: 0 there. 0 as well for a mirror or a groove, where `brdf_over`
     /// knows better, where [`Ndf::brdf`] is 0 by the horizon, and for NaN; never NaN, negative or
     /// infinite.
     ///
-    /// Cost: 17 divisions and 8 roots; in a loop over f32 samples about 13 times the isotropic BRDF,
-    /// where `brdf_over` costs 180 times as much.
+    /// Cost: 17 divisions and 8 roots; in a loop over f32 samples about 13 times the isotropic
+    /// BRDF, where `brdf_over` costs 180 times as much.
     ///
     /// Source: ours; Kaplanyan et al. 2016, Eq. 11, but for the factor, as `brdf_over`.
     ///

@@ -1,25 +1,24 @@
 //! GGX over a parallelogram in straight-line code: additions, products, divisions, roots, selects.
 //!
 //! Layer 3. The tree (tree.rs) chooses among five ways by the footprint; here all samples take the
-//! same one, so that a loop over them fills the lanes of vectors, and a GPU's warp does not diverge.
-//! The price is accuracy, stated at [`Ndf::parallelogram_mean_in_lanes`].
+//! same one, so that a loop over them fills the lanes of vectors, and a GPU's warp does not
+//! diverge. The price is accuracy, stated at [`Ndf::parallelogram_mean_in_lanes`].
 //!
 //! Whitened, with center c and half sides a (the longer) and b, the mass is a sum over the edges
 //! (Lambert's formula): $\pi \bar P = \frac{1}{8\,a \times b} \sum \frac{k}{r} \mathrm{atan2}(r,
 //! x)$, $k = a \times b \pm c \times a$ or $\pm c \times b$, $r^2 = k^2 + |a|^2$ or $|b|^2$, and x
 //! one half of $1 + p \cdot p'$ at the edge's corners. Nine products of c, a and b are all it asks.
-//! Small footprints take 2x2 nodes of Gauss' rule, far ones a bound.
-//!
-//! Arrays of four are four edges, one operation at a time: `vec4f` in WGSL, and in Rust the order
-//! that keeps four chains of operations interleaved. Edge by edge the sum takes 1.4 times as long.
+//! Small footprints take 2x2 nodes of Gauss' rule, far ones a bound. Arrays of four are four edges,
+//! one operation at a time: `vec4f` in WGSL, and in Rust the order that keeps four chains of
+//! operations interleaved. Edge by edge the sum takes 1.4 times as long.
 
 use crate::ndf::{GgxDistribution, Ndf};
 use crate::scalar::Real;
 use crate::slope::{Footprint, Whiten};
 use core::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 
-/// Coefficients of $(\arctan(t)/t - 1)/t^2$ in $s = t^2$, $0 \le s \le 1$, with $\arctan(1) = \pi/4$
-/// kept: the two ranges of an angle join without a step, which thin footprints would show.
+/// Coefficients of $(\arctan(t)/t - 1)/t^2$ in $s = t^2$, $0 \le s \le 1$, with $\arctan(1) =
+/// \pi/4$ kept: the two ranges of an angle join without a step, which thin footprints would show.
 ///
 /// Largest error relative to the arctangent: 7.87e-7 (2^-20.28), at s = 0.8125; step at t = 1:
 /// 2.9e-9. Fitted by `tests/golden/fit.py`, "atan_joined_f32". Degree 4 misses the stated accuracy.
@@ -44,13 +43,12 @@ const DOUBLE: [f64; 13] = [
     -2.768_584_237_042_403e-4,
 ];
 
-/// What differs between the precisions, chosen by the errors' percentiles over random footprints
-/// (tests/laws/lanes.rs; 200,000 draws for each of eight kinds).
+/// What differs between the precisions, chosen by the percentiles that tests/laws/lanes.rs holds.
 struct Limits<R> {
-    /// The square of the longer side over the squared distance of the lobe, up to which 2x2 nodes
-    /// serve: they err by less than 1e-4 to 0.3 of it in f32, and by 1e-7 to 0.05 in f64.
+    /// The squared ratio x of the longer side to the lobe's distance, up to which 2x2 nodes serve;
+    /// they err by about $(x/4)^4$: 3e-5 at 0.3, 2e-8 at 0.05.
     small: R,
-    /// The least half height of a footprint over its distance L is `low` $L^2$, but at most `least`:
+    /// The least half height of a footprint over its distance L is `low` $L^2$, at most `least`:
     /// lower ones are taken for that high, as the edges' terms, of order one, would cancel.
     low: R,
     least: R,
@@ -267,8 +265,9 @@ impl<S: Whiten> Ndf<GgxDistribution, S> {
     /// branch: [`Ndf::parallelogram_mean`] for loops that become vectors, and for GPUs.
     ///
     /// Whitened, $\bar P = \frac{1}{8 \pi \sqrt{\det A}\; a \times b} \sum \frac{k}{r}
-    /// \mathrm{atan2}(r, x)$ over the four edges; see the file's head. A zero footprint gives
-    /// $P_{22}$ itself, a segment the mean along it.
+    /// \mathrm{atan2}(r, x)$ over the four edges, with a and b the half sides, k half the
+    /// cross product of an edge's corners, $r^2 = k^2$ plus its squared half length, and x half of
+    /// 1 plus their scalar product. A zero footprint gives $P_{22}$, a segment the mean along it.
     ///
     /// Relative error, for sides of 0.01 to 100 alphas whose lengths differ by at most 1000 and a
     /// center that lies within 3 or 30 alphas of the lobe's; "sheared" are footprints with
@@ -278,19 +277,18 @@ impl<S: Whiten> Ndf<GgxDistribution, S> {
     /// |---|---|---|---|
     /// | f32, 3 alphas | 7e-7 | 1.4e-4, sheared 5e-4 | 3e-3 |
     /// | f32, 30 alphas | 1.3e-5 | 4e-3, sheared 9e-3 | 4e-2 |
-    /// | f64, 3 alphas | 2e-8 | 6e-8, sheared 3e-7 | 7e-6 |
-    /// | f64, 30 alphas | 2e-8 | 4e-7, sheared 2e-6 | 3e-5 |
+    /// | f64, 3 alphas | 2e-12 | 6e-8, sheared 3e-7 | 7e-6 |
+    /// | f64, 30 alphas | 5e-10 | 4e-7, sheared 2e-6 | 3e-5 |
     ///
-    /// Beyond, f32 is no longer an estimate of the tail: at 300 alphas one in ten is off by 3 %, one
-    /// in a hundred by 30 %; farther out errors of a factor 400 occur, and a mean that is not 0 may
-    /// come out as 0. What is missing or too much there is at most 8e-5 of the lobe's mass. f64 is
-    /// within 5e-5 in 99 of 100 to 300 alphas. f64 shapes serve f32 pixels that ask for more
-    /// digits.
+    /// Beyond, f32 is no longer an estimate of the tail: at 300 alphas one in ten is off by 3 %,
+    /// one in a hundred by 30 %; farther out errors of a factor 400 occur, and a mean that is not 0
+    /// may come out as 0. What is missing or too much there is at most 8e-5 of the lobe's mass. f64
+    /// is within 5e-5 in 99 of 100 to 300 alphas.
     ///
     /// Whitening is plain: of a long and thin lobe the error is that of moving it by some roundings
     /// of the slope. The mean of a mirror or a groove is 0 here; `parallelogram_mean` knows better.
-    /// It is 0 as well where lengths exceed 1e9 alphas in f32 (1e75 in f64), and for numbers that are NaN;
-    /// never NaN, negative or infinite.
+    /// It is 0 as well where lengths exceed 1e9 alphas in f32 (1e75 in f64), and for numbers that
+    /// are NaN; never NaN, negative or infinite.
     ///
     /// Cost: 13 divisions and 5 roots; in a loop over f32 samples about nine times the isotropic
     /// BRDF, a tenth of `parallelogram_mean`; in f64 twice that.

@@ -129,6 +129,15 @@ impl Internal for Counted {
         note(|done| &mut done.transcendental);
         Self(self.0.upper_angle(x.0))
     }
+    fn exp_of_negative(self) -> Self {
+        note(|done| &mut done.transcendental);
+        Self(self.0.exp_of_negative())
+    }
+    fn product_or_zero(self, other: Self) -> Self {
+        note(|done| &mut done.comparisons);
+        note(|done| &mut done.multiplications);
+        Self(self.0.product_or_zero(other.0))
+    }
     fn exponent(self) -> i32 {
         self.0.exponent()
     }

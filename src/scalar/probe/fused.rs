@@ -135,6 +135,12 @@ impl Internal for Fused {
     fn upper_angle(self, x: Self) -> Self {
         atan::upper_angle_f32(self, x).kept()
     }
+    fn exp_of_negative(self) -> Self {
+        exp::exp_of_negative_f32(self).kept()
+    }
+    fn product_or_zero(self, other: Self) -> Self {
+        exp::product_or_zero_f32(self, other)
+    }
     fn exponent(self) -> i32 {
         self.value.exponent()
     }

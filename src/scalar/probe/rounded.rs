@@ -16,15 +16,11 @@ const FLUSHED: f64 = f32::MIN_POSITIVE as f64 / UNIT;
 /// Two turns of the half circle: no two angles differ by more. In units.
 const TURN: f64 = core::f64::consts::TAU / UNIT;
 
-/// An f32, bit for bit, and how far rounding may have moved it.
-///
-/// The bound is what rounding every operation by at most $2^{-24}$, relative, could have done to
+/// An f32, bit for bit, and how far rounding may have moved it. The bound is what rounding every operation by at most $2^{-24}$, relative, could have done to
 /// the value, and flushing every subnormal result to zero: f32 lies within it of the same formula
 /// without rounding, and so does f32 in another order of contraction ([`Fused`](super::Fused)) or
 /// with other correctly rounded functions. Two such results differ by at most twice the bound.
-/// Elementary functions add the errors that they state.
-///
-/// To first order in the results that follow, and more where that would not be enough: divisors and
+/// Elementary functions add the errors that they state. To first order in the results that follow, and more where that would not be enough: divisors and
 /// roots that may be zero. A bound that is no number is infinite. Of a branch it knows only the
 /// side that was taken, of a minimum or maximum both where they are near.
 ///
@@ -200,6 +196,17 @@ impl Internal for Rounded {
         let most = (x + error).min(1.0);
         let slope = 2.0 * (most / (1.0 + most * most)).powi(2);
         Self::result(self.value.atan_excess(), 11.0, slope * self.units())
+    }
+    fn exp_of_negative(self) -> Self {
+        // 2.41 ulp, where those of `exp` count as 2 units.
+        let (of_exp, value) = (Real::exp(self), self.value.exp_of_negative());
+        let carried = of_exp.carried + if value == 0.0 { FLUSHED } else { 0.0 };
+        Self { value, carried, own: 2.5 * of_exp.own }
+    }
+    fn product_or_zero(self, other: Self) -> Self {
+        let (product, value) = (self * other, self.value.product_or_zero(other.value));
+        let lost = if value == product.value { 0.0 } else { FLUSHED };
+        Self { value, carried: product.carried + lost, ..product }
     }
     fn exponent(self) -> i32 {
         self.value.exponent()

@@ -5,13 +5,14 @@
 fn lobe_beckmann_density(
     form: f32, extent: LobeExtent, z: f32, length_squared: f32, weight: f32
 ) -> f32 {
-    let square = z * z;
-    // A mirror's exponent has nothing to divide by.
-    let e = lobe_exp(-0.5 * form / lobe_max(extent.unit * square, LOBE_MIN_POSITIVE));
-    let ratio = length_squared / square;
-    let half = e * ratio;
-    let density = half * lobe_kept(half / extent.root_det * weight);
-    return select(0.0, lobe_defined(density), lobe_min(e, extent.root_det) > 0.0);
+    // A mirror has nothing to divide by: four times the smallest number leaves length^2 over it
+    // finite.
+    let inverse = lobe_kept(1.0 / lobe_max(extent.unit * (z * z), 4.0 * LOBE_MIN_POSITIVE));
+    let e = lobe_exp_of_negative(-0.5 * form * inverse);
+    let ratio = lobe_kept(length_squared * inverse);
+    let half = e * (extent.unit * ratio);
+    let density = lobe_product_or_zero(half, e * lobe_kept(extent.scale * ratio) * weight);
+    return select(0.0, lobe_defined(density), extent.root_det > 0.0);
 }
 
 // Rust: `BeckmannDistribution::excess`. 0 for NaN.

@@ -2,6 +2,8 @@
 
 // Rust: `EXP_F32`.
 const LOBE_EXP = array<f32, 5>(0.49999994, 0.1666652, 0.041668408, 8.368899e-3, 1.3814218e-3);
+// Rust: `EXP_OF_NEGATIVE_F32`.
+const LOBE_EXP_OF_NEGATIVE = array<f32, 4>(0.49999225, 0.16667122, 0.041891333, 8.312437e-3);
 // Rust: `LN_TWO_F32`.
 const LOBE_LN_TWO = array<f32, 2>(0.69314575, 1.4286068e-6);
 // Rust: `ROUNDER_F32`.
@@ -30,4 +32,22 @@ fn lobe_exp_difference(x: f32, d: f32) -> f32 {
     let half = biased >> 1u;
     let e = lobe_kept(q * bitcast<f32>(half << 23u)) * bitcast<f32>((biased - half) << 23u);
     return select(e, 0.0, vanishes);
+}
+
+// Rust: `exp_of_negative_f32`. 0 for NaN.
+fn lobe_exp_of_negative(x: f32) -> f32 {
+    let bounded = lobe_max(x, -87.0);
+    // log2(e), rounded as core::f32::consts::LOG2_E.
+    let shifted = lobe_kept(bounded * 1.442695 + LOBE_ROUNDER);
+    let k = shifted - LOBE_ROUNDER;
+    let r = lobe_kept(bounded - k * LOBE_LN_TWO[0]) - k * LOBE_LN_TWO[1];
+    let c = LOBE_EXP_OF_NEGATIVE;
+    let p = ((((c[3] * r + c[2]) * r + c[1]) * r + c[0]) * r + 1.0) * r + 1.0;
+    let e = bitcast<f32>(bitcast<u32>(p) + (bitcast<u32>(shifted) << 23u));
+    return select(0.0, e, x >= -87.0);
+}
+
+// Rust: `product_or_zero_f32`.
+fn lobe_product_or_zero(a: f32, b: f32) -> f32 {
+    return a * select(0.0, b, bitcast<u32>(a) + bitcast<u32>(b) >= 0x3f800000u);
 }

@@ -61,6 +61,10 @@ const EXACT: &str =
     "let shape = lobe_lobe_shape(lobe_lobe_centered(lobe_roughness_from_alpha(alpha)));
 let r = lobe_ggx_brdf_over(shape, wo, wi, $footprint);";
 
+const LANES: &str =
+    "let shape = lobe_lobe_shape(lobe_lobe_centered(lobe_roughness_from_alpha(alpha)));
+let r = lobe_ggx_brdf_over_in_lanes(shape, wo, wi, $footprint);";
+
 const GGX_BASE: &str = "GGX, isotropic, no filter";
 const BECKMANN_BASE: &str = "Beckmann, isotropic, no filter";
 
@@ -72,7 +76,7 @@ const fn beckmann(name: &'static str, body: &'static str, kaplanyan: Option<f64>
     Method { name, base: BECKMANN_BASE, body, brdf: "lobe_beckmann_brdf", kaplanyan }
 }
 
-pub(crate) const METHODS: [Method; 13] = [
+pub(crate) const METHODS: [Method; 14] = [
     ggx(GGX_BASE, ISOTROPIC, None),
     ggx("GGX, any matrix, no filter", MATRIX, None),
     ggx("GGX, deferred, one alpha", DEFERRED, Some(0.93)),
@@ -83,6 +87,7 @@ pub(crate) const METHODS: [Method; 13] = [
     ggx("GGX, on the projected disk", DISK, None),
     ggx("GGX, Kaplanyan's rectangle", RECTANGLE, Some(2.74)),
     ggx("GGX, exact parallelogram", EXACT, Some(2.74)),
+    ggx("GGX, parallelogram in lanes", LANES, Some(2.74)),
     beckmann(BECKMANN_BASE, ISOTROPIC, None),
     beckmann("Beckmann, deferred, one alpha", DEFERRED, Some(0.49)),
     beckmann("Beckmann, variance added", VARIANCE, Some(0.64)),

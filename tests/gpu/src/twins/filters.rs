@@ -213,6 +213,17 @@ super::twins! {
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
         ggx.brdf_over(wo, wi, &x.footprint())
     };
+    "ggx_parallelogram_mean_in_lanes" (Lobe, Slope, Footprint)
+        "lobe_ggx_parallelogram_mean_in_lanes(lobe_lobe_shape($0), $1, $2)" => |x| {
+        let (ggx, slope) = (Ggx::new(x.lobe::<R>().shape()), x.vec::<R, 2>());
+        ggx.parallelogram_mean_in_lanes(slope, &x.footprint())
+    };
+    "ggx_brdf_over_in_lanes" (Lobe, Pair, Footprint)
+        "lobe_ggx_brdf_over_in_lanes(lobe_lobe_shape($0), $1, $2)" => |x| {
+        let ggx = Ggx::new(x.lobe::<R>().shape());
+        let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
+        ggx.brdf_over_in_lanes(wo, wi, &x.footprint())
+    };
     "beckmann_rectangle_mean" (Size, Size, Slope, Widths)
         "lobe_beckmann_rectangle_mean(vec2f($0, $1), $2, $3)" => |x| {
         beckmann_rectangle_mean(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>())
