@@ -90,9 +90,9 @@
 //! cannot serve; evaluation is total: for finite input in the documented domain it never returns
 //! NaN, infinity or a negative number. For alpha from 1e-4 to 30, correlations up to 0.9999, slopes
 //! to 1e3 and footprints from 1e-5 to 1e2, two promises hold. Densities, areas, masking and BRDFs
-//! of every shape are *backward* accurate: the result is exact for inputs and result moved by at most
-//! 16 eps. [`slope::Compensated`] is *forward* accurate, for entries of A and means that are exact
-//! in the precision; its relative errors, and those of means over polygons, are held to:
+//! of every shape are *backward* accurate: the result is exact for inputs and result moved by at
+//! most 16 eps. [`slope::Compensated`] is *forward* accurate, for entries of A and means that are
+//! exact in the precision; its relative errors, and those of means over polygons, are held to:
 //!
 //! | | f32 | f64 |
 //! |---|---|---|

@@ -86,7 +86,7 @@ impl<R: Real> DiskKernel<R> {
     /// approximation of the 2021 paper.
     ///
     /// Not a change of variables: right at $h = n$, narrower by up to $h_z^3$ elsewhere, where quad
-    /// differences are noise. [`Roughness::widened`] and [`Kernel::capped`] do the rest.
+    /// differences are noise. [`Kernel::widen`] and [`Kernel::capped`] do the rest.
     ///
     /// Source: Tokuyoshi 2017, Eq. 7; Tokuyoshi & Kaplanyan 2021, Eq. 9 and Listing 2.
     ///

@@ -16,13 +16,15 @@ const FLUSHED: f64 = f32::MIN_POSITIVE as f64 / UNIT;
 /// Two turns of the half circle: no two angles differ by more. In units.
 const TURN: f64 = core::f64::consts::TAU / UNIT;
 
-/// An f32, bit for bit, and how far rounding may have moved it. The bound is what rounding every operation by at most $2^{-24}$, relative, could have done to
+/// An f32, bit for bit, and how far rounding may have moved it.
+///
+/// The bound is what rounding every operation by at most $2^{-24}$, relative, could have done to
 /// the value, and flushing every subnormal result to zero: f32 lies within it of the same formula
 /// without rounding, and so does f32 in another order of contraction ([`Fused`](super::Fused)) or
 /// with other correctly rounded functions. Two such results differ by at most twice the bound.
-/// Elementary functions add the errors that they state. To first order in the results that follow, and more where that would not be enough: divisors and
-/// roots that may be zero. A bound that is no number is infinite. Of a branch it knows only the
-/// side that was taken, of a minimum or maximum both where they are near.
+/// Elementary functions add the errors that they state. To first order in the results that follow,
+/// and more where that would not be enough: divisors and roots that may be zero. A bound that is no
+/// number is infinite. Of a branch it knows the side taken, of a minimum both where they are near.
 ///
 /// Exact sums and products (`scalar::exact`), whose parts are kept, cost nothing: the pair has the
 /// errors of the operands only. The cut of `Internal::upper_half` is deliberate, and adds nothing.

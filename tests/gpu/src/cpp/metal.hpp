@@ -39,10 +39,29 @@ struct Swizzle {
     OPERATOR(V, -)                                                           \
     OPERATOR(V, *)
 
+// Booleans of a comparison by components.
+template <int N>
+struct Bools {
+    bool data[N];
+    bool operator[](int k) const { return data[k]; }
+};
+using bool2 = Bools<2>;
+using bool3 = Bools<3>;
+using bool4 = Bools<4>;
+#define COMPARED(V, N)                                                       \
+    friend Bools<N> operator<(V a, V b) {                                    \
+        Bools<N> less;                                                       \
+        for (int k = 0; k < N; k++) less.data[k] = a.data[k] < b.data[k];    \
+        return less;                                                         \
+    }                                                                        \
+    friend Bools<N> operator>(V a, V b) { return b < a; }
+
 struct float2 {
     struct XY { using Scalar = float; static constexpr int SIZE = 2; };
     union { struct { float x, y; }; float data[2]; Swizzle<XY, float2, 1, 0> yx; };
     VECTOR(float2, float, 2)
+    OPERATOR(float2, /)
+    COMPARED(float2, 2)
     float2(float a, float b) : x(a), y(b) {}
     friend float2 operator-(float2 a) { return float2(-a.x, -a.y); }
 };
@@ -74,7 +93,10 @@ struct float4 {
         Swizzle<XYZW, float4, 1, 2, 3, 0> yzwx;
     };
     VECTOR(float4, float, 4)
+    OPERATOR(float4, /)
+    COMPARED(float4, 4)
     float4(float a, float b, float c, float d) : x(a), y(b), z(c), w(d) {}
+    friend float4 operator-(float4 a) { return float4(-a.x, -a.y, -a.z, -a.w); }
 };
 
 struct int2 {
@@ -126,6 +148,14 @@ using float3x3 = Matrix<float3, 3>;
 
 inline float abs(float x) { return std::fabs(x); }
 inline float sqrt(float x) { return std::sqrt(x); }
+inline float4 sqrt(float4 a) {
+    return float4(std::sqrt(a.x), std::sqrt(a.y), std::sqrt(a.z), std::sqrt(a.w));
+}
+template <class V, int N>
+inline V select(V a, V b, Bools<N> second) {
+    for (int k = 0; k < N; k++) a.data[k] = second.data[k] ? b.data[k] : a.data[k];
+    return a;
+}
 inline uint min(uint a, uint b) { return a < b ? a : b; }
 inline int min(int a, int b) { return a < b ? a : b; }
 inline float clamp(float x, float low, float high) { return x < low ? low : x > high ? high : x; }
