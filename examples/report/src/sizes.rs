@@ -78,7 +78,7 @@ impl Sizes {
                 ![Item::FragmentFootprint, Item::KernelOf, Item::LobeWidened].contains(item)
             })
             .collect();
-        let cases: [Case; 8] = [
+        let cases: [Case; 9] = [
             ("Beckmann, forward", Preset::ForwardBeckmann.items(), &beckmann, Some(19)),
             ("Beckmann, forward, LEAN", Preset::LeanPlane.items(), &lean, Some(11)),
             (
@@ -88,6 +88,7 @@ impl Sizes {
                 Some(24),
             ),
             ("GGX, forward, exact", Preset::ForwardExact.items(), &ggx, Some(272)),
+            ("GGX, forward, exact in lanes", Preset::ForwardLanes.items(), &ggx, Some(272)),
             ("GGX, forward, his rectangle", &RECTANGLE, &ggx, Some(272)),
             ("GGX, forward, variance added", Preset::ForwardVariance.items(), &ggx, Some(22)),
             ("GGX, forward, right peak", Preset::ForwardPeak.items(), &ggx, None),
