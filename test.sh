@@ -4,8 +4,8 @@
 # where they are missing. With node and npm, Chrome's WGSL compiler checks the shaders, too.
 #
 #   ./test.sh          all of it, laws and twins on a share of their cases
-#   ./test.sh --fast   formatting, lints, laws, texts, tools and twins in exact mode: after each
-#   edit ./test.sh --long   all of it at full size, with release builds: about an hour
+#   ./test.sh --fast   formatting, lints, laws, texts, tools, twins in exact mode: after each edit
+#   ./test.sh --long   all of it at full size, with release builds: about an hour
 #
 # Before the last line stands what each step took, the slowest first. The last line is the sum over
 # all test binaries: "N passed, 0 failed".

@@ -25,7 +25,7 @@ impl Distribution for BeckmannDistribution {
         let least = R::TWO * R::TWO * R::MIN_POSITIVE;
         let inverse = (R::ONE / (unit * (z * z)).max(least)).kept();
         // Two halves of the exponential: e^-q may be subnormal where e^-q / sqrt(det A) is not.
-        let e = (-R::HALF * form * inverse).exp_of_negative();
+        let e = (R::lit(-0.5 * core::f64::consts::LOG2_E) * form * inverse).exp2_of_negative();
         // l^2/z^2, and the same over sqrt(det A), as the unit is sqrt(det A) times the scale.
         let inverse = (length_squared * inverse).kept();
         let half = e * (unit * inverse);
@@ -42,14 +42,12 @@ impl Distribution for BeckmannDistribution {
         R::HALF * a * (-(c * c / a2)).exp() * (c / a).ierfcx()
     }
 
-    /// $|c| + a\,\mathrm{ierfc}(|c|/a)$, without an exponential: visibility needs the sum,
-    /// not what is left of it.
+    /// $|c| + a\,\mathrm{ierfc}(|c|/a) = \sqrt{c^2 + a^2 g(c^2/a^2)}$ with the function g of
+    /// [`Real::ierfc_excess`], which takes no exponential.
     #[inline(always)]
     fn even_area<R: Real>(c: R, a2: R) -> R {
-        let (c, a) = (c.abs(), a2.sqrt());
-        // The root of the smallest number, or so: finite quotients, and no addend for a mirror.
-        let least = R::lit(if R::SINGLE { 1.084_202_172_485_504_4e-19 } else { 1e-154 });
-        c + a * (c / a.max(least)).ierfc()
+        let c2 = c * c;
+        (c2 + a2 * (c2 / a2.max(R::MIN_POSITIVE)).ierfc_excess()).sqrt()
     }
 }
 

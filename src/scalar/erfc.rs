@@ -52,25 +52,24 @@ const IERFCX_F32: [f32; 13] = [
     -0.182_479_99,
 ];
 
-/// Coefficients of ierfc(v)^(1/4) in v, 0 <= v <= 3.625.
+/// Coefficients of g(w)^(1/4) in w, 0 <= w <= 11.5, with g(v^2) = (v + ierfc(v))^2 - v^2.
 ///
-/// Maximal error of the fourth power relative to v + ierfc(v): 1.4e-7 (2^-22.76), at v = 0.029, no
-/// more beyond 3.625, where the power keeps its value.
-/// Fitted by `tests/golden/fit.py`, `fit_ierfc("ierfc_f32", ...)`.
-const IERFC_F32: [f32; 9] = [
-    0.866_675,
-    -0.384_034_96,
-    -0.038_596_228,
-    0.024_167_841,
-    7.526_091e-3,
-    -1.360_234e-3,
-    -1.306_069_4e-3,
-    4.409_148e-4,
-    -4.085_741_2e-5,
+/// Maximal error of sqrt(w + g), relative: 7.98e-8 (2^-23.58), at w = 0, no more beyond 11.5, where
+/// g keeps its value.
+/// Fitted by `tests/golden/fit.py`, `fit_ierfc_excess("ierfc_excess_f32", ...)`.
+const IERFC_EXCESS_F32: [f32; 8] = [
+    0.751_125_5,
+    -0.214_368_54,
+    0.033_407_684,
+    -3.984_427_5e-3,
+    4.133_824_8e-4,
+    -3.559_847_4e-5,
+    2.071_12e-6,
+    -5.561_211e-8,
 ];
 
-/// Where the polynomial of ierfc ends.
-const IERFC_END_F32: f32 = 3.625;
+/// Where the polynomial of g ends.
+const IERFC_EXCESS_END_F32: f32 = 11.5;
 
 /// Coefficients of erfcx(x) (1 + x) in u = t - 3/8, t = pole/(pole + x), x >= 0.
 ///
@@ -138,39 +137,42 @@ const IERFCX_F64: [f64; 27] = [
     -0.025_112_909_586_509_424,
 ];
 
-/// Coefficients of ierfc(v)^(1/4) in v, 0 <= v <= 5.625.
+/// Coefficients of g(w)^(1/4) in w, 0 <= w <= 31, with g as in `IERFC_EXCESS_F32`.
 ///
-/// Maximal error of the fourth power relative to v + ierfc(v): 1.12e-16 (2^-52.99), at v = 0.0472,
-/// no more beyond 5.625, where the power keeps its value.
-/// Fitted by `tests/golden/fit.py`, `fit_ierfc("ierfc_f64", ...)`.
-const IERFC_F64: [f64; 23] = [
-    0.866_674_993_561_567_2,
-    -0.384_035_357_455_430_16,
-    -0.038_588_107_186_634_21,
-    0.024_108_436_716_139_544,
-    7.736_707_584_380_979e-3,
-    -1.769_500_936_892_978_2e-3,
-    -8.456_277_380_169_42e-4,
-    1.399_893_221_564_611_5e-4,
-    6.500_021_590_720_835e-5,
-    -1.299_719_859_513_079e-5,
-    -3.070_908_868_085_211e-6,
-    1.029_983_209_645_860_8e-6,
-    7.419_872_663_032_309e-8,
-    -1.304_385_700_933_263_8e-7,
-    6.300_045_091_583_843e-8,
-    -2.166_983_157_680_047e-8,
-    5.352_274_208_180_133e-9,
-    -9.306_576_281_354_903e-10,
-    1.120_494_977_742_383_2e-10,
-    -9.015_756_872_090_231e-12,
-    4.466_081_733_361_373e-13,
-    -1.112_817_077_135_938_7e-14,
-    6.310_665_231_132_224e-17,
+/// Maximal error of sqrt(w + g), relative: 6.5e-17 (2^-53.77), at w = 0; 7.8e-17 beyond 31.
+/// Fitted by `tests/golden/fit.py`, `fit_ierfc_excess("ierfc_excess_f64", ...)`.
+const IERFC_EXCESS_F64: [f64; 27] = [
+    0.751_125_544_464_942_5,
+    -0.214_369_850_871_204_64,
+    0.033_416_448_154_558_79,
+    -4.003_180_474_367_974e-3,
+    4.305_971_358_750_082e-4,
+    -4.337_763_954_104_086e-5,
+    3.917_876_694_041_969e-6,
+    -2.882_573_790_508_178e-7,
+    1.402_338_110_753_206_2e-8,
+    -2.409_178_888_336_978_2e-11,
+    -6.100_373_184_441_993e-11,
+    1.826_953_869_146_102_4e-12,
+    1.048_370_190_793_967e-12,
+    -2.386_128_362_683_081_3e-13,
+    3.140_541_970_118_129e-14,
+    -3.044_000_151_109_024_6e-15,
+    2.323_150_517_223_489_6e-16,
+    -1.430_334_301_962_349_6e-17,
+    7.156_414_224_654_443e-19,
+    -2.904_180_814_132_382_4e-20,
+    9.476_666_455_118_284e-22,
+    -2.448_482_613_069_454_7e-23,
+    4.889_958_987_785_336e-25,
+    -7.272_050_754_840_927e-27,
+    7.572_572_339_373_098e-29,
+    -4.921_576_944_560_375e-31,
+    1.501_060_274_473_828_7e-33,
 ];
 
-/// Where the polynomial of ierfc ends.
-const IERFC_END_F64: f64 = 5.625;
+/// Where the polynomial of g ends.
+const IERFC_EXCESS_END_F64: f64 = 31.0;
 
 /// The scaled complementary error function, exp(x^2) erfc(x), for x >= 0.
 ///
@@ -208,19 +210,23 @@ pub(crate) fn ierfcx_f32<S: Single>(x: S) -> S {
     p / (x * (x + S::of(0.875)) + S::HALF)
 }
 
-/// The integral of erfc from v to infinity, exp(-v^2)/sqrt(pi) - v erfc(v), for v >= 0, as an
-/// addend to v.
+/// g(w) = ierfc(v) (2 v + ierfc(v)) for w = v^2 >= 0, so that w + g(w) = (v + ierfc(v))^2.
 ///
-/// The fourth power of a polynomial: not negative, and no exponential. Measured error: at most
-/// 4e-7 of v + ierfc(v) (at 0.014).
+/// ierfc(v) = exp(-v^2)/sqrt(pi) - v erfc(v) is the integral of erfc from v to infinity. Since
+/// v + ierfc(v) = exp(-v^2)/sqrt(pi) + v erf(v) is even in v, g has a power series in w and takes
+/// neither a root nor an exponential. The fourth power of a polynomial is not negative. Measured
+/// error: at most 3.03e-7 of sqrt(w + g(w)) (at w = 0.000917).
 ///
-/// Limits: 1/sqrt(pi) at v = 0, 1.8e-8 from 3.625 on.
+/// Limits: 1/pi at w = 0, 1.5e-6 from 11.5 on.
 #[inline(always)]
-pub(crate) fn ierfc_f32<S: Single>(v: S) -> S {
-    let v = v.min(S::of(IERFC_END_F32));
-    let c = |n: usize| S::of(IERFC_F32[n]);
-    let p = (((c(8) * v + c(7)) * v + c(6)) * v + c(5)) * v + c(4);
-    let p = (((p * v + c(3)) * v + c(2)) * v + c(1)) * v + c(0);
+pub(crate) fn ierfc_excess_f32<S: Single>(w: S) -> S {
+    let w = w.min(S::of(IERFC_EXCESS_END_F32));
+    let c = |n: usize| S::of(IERFC_EXCESS_F32[n]);
+    // Estrin's scheme: its chain of dependent operations is shorter than that of Horner's rule.
+    let squared = w * w;
+    let high = (c(7) * w + c(6)) * squared + (c(5) * w + c(4));
+    let low = (c(3) * w + c(2)) * squared + (c(1) * w + c(0));
+    let p = high * (squared * squared) + low;
     let square = p * p;
     square * square
 }
@@ -269,16 +275,15 @@ pub(crate) fn ierfcx_f64(x: f64) -> f64 {
     polynomial_f64(&IERFCX_F64, u) / (x * (x + 0.875) + 0.5)
 }
 
-/// The integral of erfc from v to infinity, exp(-v^2)/sqrt(pi) - v erfc(v), for v >= 0, as an
-/// addend to v.
+/// g(w) = ierfc(v) (2 v + ierfc(v)) for w = v^2 >= 0; see `ierfc_excess_f32`.
 ///
-/// The fourth power of a polynomial, as in f32. Measured error: at most 6e-16 of v + ierfc(v).
+/// Measured error: at most 3.5e-16 of sqrt(w + g(w)) (at w = 0.000002).
 ///
-/// Limits: 1/sqrt(pi) at v = 0, below 1e-16 from 5.625 on.
+/// Limits: 1/pi at w = 0, below 4e-15 from 31 on.
 #[inline]
-pub(crate) fn ierfc_f64(v: f64) -> f64 {
-    let v = if v < IERFC_END_F64 { v } else { IERFC_END_F64 };
-    let p = polynomial_f64(&IERFC_F64, v);
+pub(crate) fn ierfc_excess_f64(w: f64) -> f64 {
+    let w = if w < IERFC_EXCESS_END_F64 { w } else { IERFC_EXCESS_END_F64 };
+    let p = polynomial_f64(&IERFC_EXCESS_F64, w);
     let square = p * p;
     square * square
 }

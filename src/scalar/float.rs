@@ -8,9 +8,9 @@ use core::ops::Mul;
 
 macro_rules! impl_real {
     ($t:ident, $single:literal, $mask:literal, $fraction:literal, $bias:literal, $sqrt:ident,
-     $exp:ident, $exp_of_negative:ident, $product:path, $ln:ident, $atan:ident, $atan2:ident,
+     $exp:ident, $exp2_of_negative:ident, $product:path, $ln:ident, $atan:ident, $atan2:ident,
      $upper_angle:ident, $atan_excess:ident, $erfc:ident, $erfcx:ident, $ierfcx:ident,
-     $ierfc:ident) => {
+     $ierfc_excess:ident) => {
         impl Internal for $t {
             const SINGLE: bool = $single;
 
@@ -23,8 +23,8 @@ macro_rules! impl_real {
                 atan::$atan_excess(self)
             }
             #[inline(always)]
-            fn exp_of_negative(self) -> Self {
-                exp::$exp_of_negative(self)
+            fn exp2_of_negative(self) -> Self {
+                exp::$exp2_of_negative(self)
             }
             #[inline(always)]
             fn product_or_zero(self, other: Self) -> Self {
@@ -102,8 +102,8 @@ macro_rules! impl_real {
                 erfc::$ierfcx(self)
             }
             #[inline(always)]
-            fn ierfc(self) -> Self {
-                erfc::$ierfc(self)
+            fn ierfc_excess(self) -> Self {
+                erfc::$ierfc_excess(self)
             }
         }
     };
@@ -117,7 +117,7 @@ impl_real!(
     127,
     sqrt_f32,
     exp_f32,
-    exp_of_negative_f32,
+    exp2_of_negative_f32,
     exp::product_or_zero_f32,
     ln_f32,
     atan_f32,
@@ -127,7 +127,7 @@ impl_real!(
     erfc_f32,
     erfcx_f32,
     ierfcx_f32,
-    ierfc_f32
+    ierfc_excess_f32
 );
 impl_real!(
     f64,
@@ -137,7 +137,7 @@ impl_real!(
     1023,
     sqrt_f64,
     exp_f64,
-    exp_f64,
+    exp2_of_negative_f64,
     Mul::mul,
     ln_f64,
     atan_f64,
@@ -147,5 +147,5 @@ impl_real!(
     erfc_f64,
     erfcx_f64,
     ierfcx_f64,
-    ierfc_f64
+    ierfc_excess_f64
 );

@@ -106,11 +106,13 @@ pub trait Real:
     /// the cancellation of that difference.
     #[doc(alias = "lobe_ierfcx")]
     fn ierfcx(self) -> Self;
-    /// First integral of erfc, $\int_x^\infty \mathrm{erfc}(t)\,dt = e^{-x^2}/\sqrt\pi -
-    /// x\,\mathrm{erfc}(x)$, for $x \ge 0$, as an addend to x: the error is relative to
-    /// their sum, and no exponential is taken.
-    #[doc(alias = "lobe_ierfc")]
-    fn ierfc(self) -> Self;
+    /// $g(x) = (v + \mathrm{ierfc}(v))^2 - v^2$ for $v^2 = x \ge 0$, with the first integral of
+    /// erfc, $\mathrm{ierfc}(v) = e^{-v^2}/\sqrt\pi - v\,\mathrm{erfc}(v)$.
+    ///
+    /// Meant as an addend to x: the error is relative to $x + g(x)$. Neither a root nor an
+    /// exponential is taken.
+    #[doc(alias = "lobe_ierfc_excess")]
+    fn ierfc_excess(self) -> Self;
 }
 
 impl<R: Real> From<R> for Value {
@@ -129,9 +131,9 @@ pub trait Internal: Copy {
     fn upper_angle(self, x: Self) -> Self;
     /// $\arctan x - x/(1 + x^2)$ on \[0, 1\], without the cancellation of that difference.
     fn atan_excess(self) -> Self;
-    /// $e^x$ for $x \le 0$ at the price of a few roundings; 0 where it has no digits
-    /// (`lobe_exp_of_negative` in WGSL).
-    fn exp_of_negative(self) -> Self;
+    /// $2^x$ for $x \le 0$ at the price of a few roundings; 0 where it has no digits
+    /// (`lobe_exp2_of_negative` in WGSL).
+    fn exp2_of_negative(self) -> Self;
     /// The product of two numbers that are not negative; 0, or what rounding leaves, where it is
     /// too small for a normal number (`lobe_product_or_zero` in WGSL).
     fn product_or_zero(self, other: Self) -> Self;

@@ -24,7 +24,7 @@ items! {
     ScalarAtan: file "scalar_atan";
     Erfcx: fn "erfcx", "Real::erfcx";
     Ierfcx: fn "ierfcx", "Real::ierfcx";
-    Ierfc: fn "ierfc", "Real::ierfc";
+    IerfcExcess: fn "ierfc_excess", "Real::ierfc_excess";
     Erfc: fn "erfc", "Real::erfc";
     ScalarErfc: file "scalar_erfc";
     ScalarExpint: file "scalar_expint";

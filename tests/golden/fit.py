@@ -184,6 +184,17 @@ def fit_exp(name, bits, degree):
     report(name, fit, bits)
 
 
+def fit_exp2(name, bits, degree):
+    """(2^r - 1)/r on |r| <= 1/2, error relative to 2^r."""
+
+    def core(r):
+        with mp.extradps(20):
+            return mp.expm1(r * mp.ln(2)) / r
+
+    half = mpf(1) / 2
+    report(name, Fit(core, lambda r: abs(r) * mp.power(2, -r), -half, half, degree), bits)
+
+
 def fit_atan(name, bits, degree):
     """(atan(t)/t - 1)/s, s = t^2, on 0 <= s <= 1, error relative to atan(t)."""
 
@@ -298,25 +309,27 @@ def fit_ierfcx(name, bits, degree, pole):
     fit_half_line(name, bits, degree, pole, ierfcx, lambda x: x * (x + 0.875) + 0.5, mpf(1) / 2)
 
 
-def fit_ierfc(name, bits, degree, cut):
-    """ierfc(v)^(1/4) in v, 0 <= v <= cut; error of the fourth power relative to v + ierfc(v).
+def fit_ierfc_excess(name, bits, degree, cut):
+    """g(w)^(1/4) in w, 0 <= w <= cut, with g(v^2) = (v + ierfc(v))^2 - v^2.
 
-    The root is nearly straight, and its errors hardly matter where it is small. From the cut on
-    the power keeps its value there: the last line says what that errs by.
+    The error counts in sqrt(w + g), which masking asks for. From the cut on g keeps its value: the
+    last line says what that errs by.
     """
 
-    def whole(v):
+    def whole(w):
+        v = mp.sqrt(w)
         with mp.extradps(10):
-            return mp.exp(-v * v) * ierfcx(v)
+            i = mp.exp(-w) * ierfcx(v)
+            return i * (2 * v + i)
 
-    def root(v):
-        return mp.sqrt(mp.sqrt(whole(v)))
+    def root(w):
+        return mp.sqrt(mp.sqrt(whole(w)))
 
-    fit = Fit(root, lambda v: 4 * root(v) ** 3 / (v + whole(v)), 0, cut, degree)
-    coefs = report(name, fit, bits)
-    wrong = lambda v: abs(horner(coefs, min(v, cut)) ** 4 - whole(v)) / (v + whole(v))
+    weight = lambda w: 2 * root(w) ** 3 / (w + whole(w))
+    coefs = report(name, Fit(root, weight, 0, cut, degree), bits)
+    wrong = lambda w: abs(horner(coefs, min(w, cut)) ** 4 - whole(w)) / (2 * (w + whole(w)))
     at = max((cut * mpf(i) / 1000 for i in range(2001)), key=wrong)
-    print(f"// of the fourth power: {mp.nstr(wrong(at), 3)} at {mp.nstr(at, 4)}", flush=True)
+    print(f"// of sqrt(w + g): {mp.nstr(wrong(at), 3)} at w = {mp.nstr(at, 4)}", flush=True)
 
 
 def fit_half_turn(name, bits, degree):
@@ -465,7 +478,7 @@ FITS = {
     "pi_f32": lambda n: split(n, +mp.pi, SINGLE, SINGLE),
     "pi_f64": lambda n: split(n, +mp.pi, DOUBLE, DOUBLE),
     "exp_f32": lambda n: fit_exp(n, SINGLE, 4),
-    "exp_of_negative_f32": lambda n: fit_exp(n, SINGLE, 3),
+    "exp2_f32": lambda n: fit_exp2(n, SINGLE, 4),
     "exp_f64": lambda n: fit_exp(n, DOUBLE, 10),
     "ln_f32": lambda n: fit_ln(n, SINGLE, 2),
     "ln_f64": lambda n: fit_ln(n, DOUBLE, 6),
@@ -481,8 +494,8 @@ FITS = {
     "quantile": lambda n: fit_quantile(n, SINGLE, 9),
     "half_turn": lambda n: fit_half_turn(n, SINGLE, 4),
     "ierfcx_f64": lambda n: fit_ierfcx(n, DOUBLE, 26, 4),
-    "ierfc_f32": lambda n: fit_ierfc(n, SINGLE, 8, mpf(29) / 8),
-    "ierfc_f64": lambda n: fit_ierfc(n, DOUBLE, 22, mpf(45) / 8),
+    "ierfc_excess_f32": lambda n: fit_ierfc_excess(n, SINGLE, 7, mpf(23) / 2),
+    "ierfc_excess_f64": lambda n: fit_ierfc_excess(n, DOUBLE, 26, mpf(31)),
 }
 
 if __name__ == "__main__":

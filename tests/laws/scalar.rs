@@ -3,6 +3,7 @@
 use crate::common::arbitrary::Source;
 use crate::common::quadrature::trapezoid;
 use crate::common::{check, ensure, near};
+use core::f64::consts::FRAC_2_SQRT_PI;
 use core::fmt::Debug;
 use lobe::Real;
 use lobe::filter::gaussian_peak_alpha;
@@ -42,33 +43,34 @@ fn exp_is_exp() {
     check(50_000, |source| exponentials::<f32>(source, 87.0));
 }
 
-/// As exp, and 0 from where it turns subnormal. Products are products, or too small for a number.
+/// Powers of two that are not about to turn subnormal are powers of two, others 0. Products are
+/// products, or too small for a number.
 fn decays<R: Real>(source: &mut Source, largest: f64) -> TestCaseResult {
     let (x, y): (R, R) = (-number::<R>(source, largest).abs(), number(source, largest));
-    // Of f32, results about to turn subnormal are 0.
-    if R::SINGLE && x < R::lit(-87.0) {
-        ensure(x.exp_of_negative() == R::ZERO, "0 below -87", &x)?;
+    let least = if R::SINGLE { -126.0 } else { -1022.0 };
+    if x < R::lit(least) {
+        ensure(x.exp2_of_negative() == R::ZERO, "0 below the least exponent", &x)?;
     } else {
-        rounds(x.exp_of_negative(), pxfm::f_exp(x.to_f64()), &x)?;
+        rounds(x.exp2_of_negative(), pxfm::f_exp2(x.to_f64()), &x)?;
     }
-    let (a, b) = (x.exp_of_negative(), (-y.abs()).exp_of_negative());
+    let (a, b) = (x.exp2_of_negative(), (-y.abs()).exp2_of_negative());
     let (product, want) = (a.product_or_zero(b), a * b);
     let lost = product == R::ZERO && want < R::MIN_POSITIVE;
     ensure(product == want || lost, "a product, or 0", &(a, b))
 }
 
 #[test]
-fn exp_of_negative_numbers_is_exp() {
-    check(50_000, |source| decays::<f64>(source, 708.0));
-    check(50_000, |source| decays::<f32>(source, 120.0));
-    assert_eq!(fallen(-88.0_f32), 0.0);
+fn exp2_of_negative_numbers_is_exp2() {
+    check(50_000, |source| decays::<f64>(source, 1100.0));
+    check(50_000, |source| decays::<f32>(source, 150.0));
+    assert_eq!((fallen(-127.0_f32), fallen(-1023.0_f64)), (0.0, 0.0));
     assert_eq!((fallen(f32::NEG_INFINITY), fallen(f32::NAN), fallen(0.0_f32)), (0.0, 0.0, 1.0));
     assert_eq!((fallen(f64::NEG_INFINITY), fallen(0.0_f64)), (0.0, 1.0));
 }
 
 /// The trait that has it can be named in no bound but that of `Real`.
 fn fallen<R: Real>(x: R) -> R {
-    x.exp_of_negative()
+    x.exp2_of_negative()
 }
 
 /// A positive number: any, near 1, subnormal, or at a power of two or of root two, where the
@@ -193,15 +195,21 @@ fn erfc_and_erfcx_are_theirs() {
 fn integrals<R: Real>(source: &mut Source) -> TestCaseResult {
     let x: R = number::<R>(source, 1e3).abs();
     let exact = x.to_f64();
-    let mut integrand = |y: f64| {
-        let t = y.exp();
-        t * t * (-t * t - 2.0 * exact * t).exp()
+    let integrand_of = |v: f64| {
+        move |y: f64| {
+            let t = y.exp();
+            t * t * (-t * t - 2.0 * v * t).exp()
+        }
     };
-    let want = trapezoid(&mut integrand, 32.0, 0.0625) * core::f64::consts::FRAC_2_SQRT_PI;
+    let want = trapezoid(&mut integrand_of(exact), 32.0, 0.0625) * FRAC_2_SQRT_PI;
     let few = 4.0 * FEW * R::EPSILON.to_f64() + 1e-15;
     near(x.ierfcx().to_f64(), want, few * want, &x)?;
-    let plain = (-exact * exact).exp() * want;
-    near(x.ierfc().to_f64(), plain, few * (exact + plain), &x)
+    let square = x * x;
+    // v of the rounded square; the integral is even in v but for an addend of -v.
+    let v = square.to_f64().sqrt();
+    let plain = (-v * v).exp() * trapezoid(&mut integrand_of(v), 32.0, 0.0625) * FRAC_2_SQRT_PI;
+    let excess = plain * (2.0 * v + plain);
+    near(square.ierfc_excess().to_f64(), excess, few * (v * v + excess), &x)
 }
 
 #[test]

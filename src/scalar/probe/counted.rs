@@ -129,9 +129,9 @@ impl Internal for Counted {
         note(|done| &mut done.transcendental);
         Self(self.0.upper_angle(x.0))
     }
-    fn exp_of_negative(self) -> Self {
+    fn exp2_of_negative(self) -> Self {
         note(|done| &mut done.transcendental);
-        Self(self.0.exp_of_negative())
+        Self(self.0.exp2_of_negative())
     }
     fn product_or_zero(self, other: Self) -> Self {
         note(|done| &mut done.comparisons);
@@ -178,7 +178,7 @@ impl Real for Counted {
     }
     functions!(
         sqrt roots, exp transcendental, ln transcendental, atan transcendental, erfc transcendental,
-        erfcx transcendental, ierfcx transcendental, ierfc transcendental
+        erfcx transcendental, ierfcx transcendental, ierfc_excess transcendental
     );
     fn atan2(self, x: Self) -> Self {
         note(|done| &mut done.transcendental);

@@ -135,8 +135,8 @@ impl Internal for Fused {
     fn upper_angle(self, x: Self) -> Self {
         atan::upper_angle_f32(self, x).kept()
     }
-    fn exp_of_negative(self) -> Self {
-        exp::exp_of_negative_f32(self).kept()
+    fn exp2_of_negative(self) -> Self {
+        exp::exp2_of_negative_f32(self).kept()
     }
     fn product_or_zero(self, other: Self) -> Self {
         exp::product_or_zero_f32(self, other)
@@ -190,7 +190,7 @@ impl Real for Fused {
     }
     functions!(
         exp exp::exp_f32, ln ln::ln_f32, atan atan::atan_f32, erfc erfc::erfc_f32,
-        erfcx erfc::erfcx_f32, ierfcx erfc::ierfcx_f32, ierfc erfc::ierfc_f32
+        erfcx erfc::erfcx_f32, ierfcx erfc::ierfcx_f32, ierfc_excess erfc::ierfc_excess_f32
     );
     fn atan2(self, x: Self) -> Self {
         atan::atan2_f32(self, x).kept()

@@ -199,11 +199,12 @@ impl Internal for Rounded {
         let slope = 2.0 * (most / (1.0 + most * most)).powi(2);
         Self::result(self.value.atan_excess(), 11.0, slope * self.units())
     }
-    fn exp_of_negative(self) -> Self {
-        // 2.41 ulp, where those of `exp` count as 2 units.
-        let (of_exp, value) = (Real::exp(self), self.value.exp_of_negative());
-        let carried = of_exp.carried + if value == 0.0 { FLUSHED } else { 0.0 };
-        Self { value, carried, own: 2.5 * of_exp.own }
+    fn exp2_of_negative(self) -> Self {
+        let (x, error) = self.parts();
+        let value = self.value.exp2_of_negative();
+        let slope = core::f64::consts::LN_2 * (x + error).min(0.0).exp2();
+        let lost = if value == 0.0 { FLUSHED } else { 0.0 };
+        Self::result(value, 5.0, slope * self.units() + lost)
     }
     fn product_or_zero(self, other: Self) -> Self {
         let (product, value) = (self * other, self.value.product_or_zero(other.value));
@@ -309,12 +310,11 @@ impl Real for Rounded {
         let slope = (least.erfcx() - 2.0 * least * least.ierfcx()).abs();
         Self::scaled(Real::ierfcx(self.value), 8.0, slope * self.units(), false)
     }
-    // Its own error is a part of x + ierfc(x), up to where it is constant.
-    fn ierfc(self) -> Self {
-        let (x, error) = self.parts();
-        let value = Real::ierfc(self.value);
-        let slope = Real::erfc((x - error).max(0.0));
-        let own = 7.0 * (x.min(4.0) + f64::from(value));
+    // Its own error is a part of x + g(x), up to where it is constant. Its slope is steepest at 0.
+    fn ierfc_excess(self) -> Self {
+        let value = Real::ierfc_excess(self.value);
+        let slope = 1.0 - 2.0 * core::f64::consts::FRAC_1_PI;
+        let own = 13.0 * (self.parts().0.min(12.0) + f64::from(value));
         Self::result(value, 0.0, own + slope * self.units())
     }
 }

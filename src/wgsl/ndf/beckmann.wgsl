@@ -8,7 +8,8 @@ fn lobe_beckmann_density(
     // A mirror has nothing to divide by: four times the smallest number leaves length^2 over it
     // finite.
     let inverse = lobe_kept(1.0 / lobe_max(extent.unit * (z * z), 4.0 * LOBE_MIN_POSITIVE));
-    let e = lobe_exp_of_negative(-0.5 * form * inverse);
+    // -log2(e)/2
+    let e = lobe_exp2_of_negative(-0.72134752 * form * inverse);
     let ratio = lobe_kept(length_squared * inverse);
     let half = e * (extent.unit * ratio);
     let density = lobe_product_or_zero(half, e * lobe_kept(extent.scale * ratio) * weight);
@@ -24,9 +25,9 @@ fn lobe_beckmann_excess(c: f32, stretch_squared: f32) -> f32 {
 
 // Rust: `BeckmannDistribution::even_area`. 0 for NaN.
 fn lobe_beckmann_even_area(c: f32, stretch_squared: f32) -> f32 {
-    let size = abs(c);
-    let a = sqrt(stretch_squared);
-    return lobe_defined(size + a * lobe_ierfc(size / lobe_max(a, 1.0842022e-19)));
+    let c_squared = c * c;
+    let excess = lobe_ierfc_excess(c_squared / lobe_max(stretch_squared, LOBE_MIN_POSITIVE));
+    return lobe_defined(sqrt(c_squared + stretch_squared * excess));
 }
 
 // Rust: `Ndf::slope_pdf`, of a shape's answers at (-slope, 1).

@@ -14,13 +14,13 @@ const LOBE_IERFCX = array<f32, 13>(
     0.95744056, 0.08884888,
     -0.8258443, -0.23558383, 0.62090355, -0.18247999
 );
-// Rust: `IERFC_F32`.
-const LOBE_IERFC = array<f32, 9>(
-    0.866675, -0.38403496, -0.038596228, 0.024167841, 7.526091e-3, -1.360234e-3, -1.3060694e-3,
-    4.409148e-4, -4.0857412e-5
+// Rust: `IERFC_EXCESS_F32`.
+const LOBE_IERFC_EXCESS = array<f32, 8>(
+    0.7511255, -0.21436854, 0.033407684, -3.9844275e-3, 4.1338248e-4, -3.5598474e-5, 2.07112e-6,
+    -5.561211e-8
 );
-// Rust: `IERFC_END_F32`.
-const LOBE_IERFC_END: f32 = 3.625;
+// Rust: `IERFC_EXCESS_END_F32`.
+const LOBE_IERFC_EXCESS_END: f32 = 11.5;
 
 // Rust: `Real::erfcx`. Its value at 0 for what is not at least 0.
 fn lobe_erfcx(x: f32) -> f32 {
@@ -44,12 +44,14 @@ fn lobe_ierfcx(x: f32) -> f32 {
     return p / (a * (a + 0.875) + 0.5);
 }
 
-// Rust: `Real::ierfc`. Its value at 0 for what is not at least 0.
-fn lobe_ierfc(x: f32) -> f32 {
-    let v = lobe_min(lobe_max(x, 0.0), LOBE_IERFC_END);
-    let c = LOBE_IERFC;
-    let high = (((c[8] * v + c[7]) * v + c[6]) * v + c[5]) * v + c[4];
-    let p = (((high * v + c[3]) * v + c[2]) * v + c[1]) * v + c[0];
+// Rust: `Real::ierfc_excess`. Its value at 0 for what is not at least 0.
+fn lobe_ierfc_excess(x: f32) -> f32 {
+    let w = lobe_min(lobe_max(x, 0.0), LOBE_IERFC_EXCESS_END);
+    let c = LOBE_IERFC_EXCESS;
+    let squared = w * w;
+    let high = (c[7] * w + c[6]) * squared + (c[5] * w + c[4]);
+    let low = (c[3] * w + c[2]) * squared + (c[1] * w + c[0]);
+    let p = high * (squared * squared) + low;
     let square = p * p;
     return square * square;
 }

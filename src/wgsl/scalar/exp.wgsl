@@ -2,8 +2,10 @@
 
 // Rust: `EXP_F32`.
 const LOBE_EXP = array<f32, 5>(0.49999994, 0.1666652, 0.041668408, 8.368899e-3, 1.3814218e-3);
-// Rust: `EXP_OF_NEGATIVE_F32`.
-const LOBE_EXP_OF_NEGATIVE = array<f32, 4>(0.49999225, 0.16667122, 0.041891333, 8.312437e-3);
+// Rust: `EXP2_F32`.
+const LOBE_EXP_BASE_TWO = array<f32, 5>(
+    0.693147, 0.24022242, 0.055507336, 9.671509e-3, 1.326476e-3
+);
 // Rust: `LN_TWO_F32`.
 const LOBE_LN_TWO = array<f32, 2>(0.69314575, 1.4286068e-6);
 // Rust: `ROUNDER_F32`.
@@ -34,17 +36,16 @@ fn lobe_exp_difference(x: f32, d: f32) -> f32 {
     return select(e, 0.0, vanishes);
 }
 
-// Rust: `exp_of_negative_f32`. 0 for NaN.
-fn lobe_exp_of_negative(x: f32) -> f32 {
-    let bounded = lobe_max(x, -87.0);
-    // log2(e), rounded as core::f32::consts::LOG2_E.
-    let shifted = lobe_kept(bounded * 1.442695 + LOBE_ROUNDER);
-    let k = shifted - LOBE_ROUNDER;
-    let r = lobe_kept(bounded - k * LOBE_LN_TWO[0]) - k * LOBE_LN_TWO[1];
-    let c = LOBE_EXP_OF_NEGATIVE;
-    let p = ((((c[3] * r + c[2]) * r + c[1]) * r + c[0]) * r + 1.0) * r + 1.0;
+// Rust: `exp2_of_negative_f32`. 0 for NaN.
+fn lobe_exp2_of_negative(x: f32) -> f32 {
+    let bounded = lobe_max(x, -126.0);
+    let shifted = lobe_kept(bounded + LOBE_ROUNDER);
+    let r = bounded - lobe_kept(shifted - LOBE_ROUNDER);
+    let c = LOBE_EXP_BASE_TWO;
+    let square = r * r;
+    let p = ((c[4] * r + c[3]) * square + (c[2] * r + c[1])) * square + (c[0] * r + 1.0);
     let e = bitcast<f32>(bitcast<u32>(p) + (bitcast<u32>(shifted) << 23u));
-    return select(0.0, e, x >= -87.0);
+    return select(0.0, e, x >= -126.0);
 }
 
 // Rust: `product_or_zero_f32`.

@@ -25,7 +25,7 @@ super::twins! {
     };
     "erfcx" (Size) "lobe_erfcx($0)" => |x| x.f::<R>().erfcx();
     "ierfcx" (Size) "lobe_ierfcx($0)" => |x| x.f::<R>().ierfcx();
-    "ierfc" (Size) "lobe_ierfc($0)" => |x| x.f::<R>().ierfc();
+    "ierfc_excess" (Size) "lobe_ierfc_excess($0)" => |x| x.f::<R>().ierfc_excess();
     "erfc" (Deviation) "lobe_erfc($0)" => |x| x.f::<R>().erfc();
     "psd_new" (Psd) "$0" => |x| x.psd::<R>();
     "psd_nearest" (Vector, Size) "lobe_psd_nearest($0.x, $0.y, $1)" => |x| {
