@@ -1,5 +1,9 @@
 //! The one table of error budgets: how wrong each golden table's quantity may come out.
 //!
+//! Every table has a forward budget, of relative errors; where matrix entries make a shape, it
+//! holds for `slope::Compensated`. Densities, areas, masking and BRDFs by the default shapes of
+//! such entries have one backward budget, of roundings.
+//!
 //! Loosening a number here is a change that someone reviews. The numbers are requirements, set
 //! before the code was measured: some are far looser than what tests/laws/golden.rs finds.
 
@@ -27,6 +31,23 @@ impl Budget {
         }
         (!reasons.is_empty()).then(|| reasons.join(", "))
     }
+}
+
+/// The most roundings by which inputs and result may have to be moved for a result to be exact: the
+/// promise of every default shape, in both precisions.
+pub(crate) const ROUNDINGS: f64 = 16.0;
+
+/// What a default shape's results exceed, in words: `roundings` is the largest backward error, and
+/// `bad` counts rows that no budget allows. NaN exceeds.
+pub(crate) fn broken_by_roundings(roundings: f64, bad: usize) -> Option<String> {
+    let mut reasons = Vec::new();
+    if !(roundings <= ROUNDINGS) {
+        reasons.push(format!("{roundings} eps > {ROUNDINGS}"));
+    }
+    if bad > 0 {
+        reasons.push(format!("{bad} bad rows"));
+    }
+    (!reasons.is_empty()).then(|| reasons.join(", "))
 }
 
 const fn budget(max_rel: f64, p99_rel: f64) -> Budget {
@@ -102,5 +123,18 @@ fn a_budget_is_broken_by_each_of_its_numbers_alone() {
         (f64::NAN, 0.0, 0, "max NaN > 1e-3"),
     ] {
         assert_eq!(budget.broken_by(max_rel, p99_rel, bad).as_deref(), Some(reason));
+    }
+}
+
+#[test]
+fn the_backward_budget_is_broken_by_each_of_its_numbers_alone() {
+    assert_eq!(broken_by_roundings(16.0, 0), None);
+    for (roundings, bad, reason) in [
+        (32.0, 0, "32 eps > 16"),
+        (f64::INFINITY, 0, "inf eps > 16"),
+        (f64::NAN, 0, "NaN eps > 16"),
+        (1.0, 2, "2 bad rows"),
+    ] {
+        assert_eq!(broken_by_roundings(roundings, bad).as_deref(), Some(reason));
     }
 }

@@ -2,7 +2,6 @@
 #![allow(dead_code, reason = "each law file uses a part of it")]
 
 pub(crate) mod arbitrary;
-pub(crate) mod backward;
 #[cfg(feature = "glint")]
 pub(crate) mod facets;
 #[cfg(feature = "glint")]

@@ -1,16 +1,41 @@
-//! The promise of plain shapes: a result is the exact one for parameters, directions and result
-//! moved by at most 16 units of rounding, over the whole documented domain.
+//! The promise of default shapes: a result is the exact one for parameters, directions and result
+//! moved by at most 16 roundings, over the whole documented domain.
 
+use crate::budget::ROUNDINGS;
 use crate::common::arbitrary::Source;
-use crate::common::backward::backward;
 use crate::common::check;
 use crate::common::reference::Known;
+use crate::roundings::{roundings, roundings_to_first_order};
+use core::fmt::Debug;
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
 use lobe::slope::Widened;
 use lobe::{
     Anisotropic, AxisAligned, Isotropic, LobeShape, Ndf, NonCentered, Psd, Real, Roughness,
 };
-use proptest::test_runner::TestCaseResult;
+use proptest::test_runner::{TestCaseError, TestCaseResult};
+
+/// `got` is finite, not negative, and exact for inputs and result moved by [`ROUNDINGS`].
+///
+/// `unit`, `least` and `most` are the relative rounding, the smallest normal number and the largest
+/// number of the precision that `got` was computed in.
+pub(crate) fn backward(
+    got: f64,
+    f: &dyn Fn(&[f64]) -> f64,
+    inputs: &[f64],
+    [unit, least, most]: [f64; 3],
+    context: &dyn Debug,
+) -> TestCaseResult {
+    let fail = |what: &str, exact: f64| {
+        let message = format!("{what}: got {got:e}, exact {exact:e}; {inputs:?}, {context:?}");
+        Err(TestCaseError::fail(message))
+    };
+    if !(got.is_finite() && got >= 0.0) {
+        return fail("not finite, or negative", f(inputs));
+    }
+    let bounded = |x: &[f64]| f(x).min(most);
+    let count = roundings(got, &bounded, inputs, unit, least);
+    if count <= ROUNDINGS { Ok(()) } else { fail(&format!("{count} roundings"), f(inputs)) }
+}
 
 /// What is asked of a lobe, at numbers of its own.
 #[derive(Clone, Copy, Debug)]
@@ -154,4 +179,53 @@ fn holds<D: Known>(source: &mut Source) -> TestCaseResult {
 fn results_are_exact_for_inputs_moved_by_sixteen_roundings() {
     check(100_000, holds::<GgxDistribution>);
     check(100_000, holds::<BeckmannDistribution>);
+}
+
+/// The difference x - y moves by x + y + (x - y) roundings where x, y and the difference move by
+/// one rounding each.
+#[test]
+fn roundings_are_counted_in_powers_of_two() {
+    const UNIT: f64 = 1e-7;
+    let (x, y) = (1.0, 0.999);
+    let difference = |x: &[f64]| x[0] - x[1];
+    let one = UNIT * (x + y + (x - y));
+    for (share, count) in [
+        (0.0, 1.0),
+        (0.9, 1.0),
+        (-0.9, 1.0),
+        (1.1, 2.0),
+        (-3.9, 4.0),
+        (4.1, 8.0),
+        (-4000.0, 4096.0),
+        (4200.0, f64::INFINITY),
+        (f64::NAN, f64::INFINITY),
+    ] {
+        let got = x - y + share * one;
+        for method in [roundings, roundings_to_first_order] {
+            assert_eq!(method(got, &difference, &[x, y], UNIT, 0.0), count, "{share}");
+        }
+    }
+}
+
+/// A function without a value above x = 1, which rises as x falls: no move of x makes it smaller,
+/// so a smaller result is explained by roundings of the result alone.
+#[test]
+fn inputs_without_a_value_are_not_moved_to() {
+    let falling = |x: &[f64]| if x[0] > 1.0 { f64::NAN } else { 2.0 - x[0].powi(100) };
+    for method in [roundings, roundings_to_first_order] {
+        assert_eq!(method(1.001, &falling, &[1.0], 1e-5, 0.0), 1.0);
+        assert_eq!(method(1.0, &|_| f64::NAN, &[1.0], 1e-5, 0.0), f64::INFINITY);
+    }
+    assert_eq!(roundings(0.999, &falling, &[1.0], 1e-5, 0.0), 128.0);
+}
+
+/// The largest value lies next to inputs without one, where the search must not lose it.
+#[test]
+fn the_search_turns_away_from_inputs_without_a_value() {
+    const UNIT: f64 = 1e-5;
+    let rising = |x: &[f64]| {
+        let moved = (x[0] - 1.0) / UNIT;
+        if moved > 0.3 { f64::NAN } else { 1.0 + 1000.0 * UNIT * moved }
+    };
+    assert_eq!(roundings(1.0 + 290.0 * UNIT, &rising, &[1.0], UNIT, 0.0), 1.0);
 }

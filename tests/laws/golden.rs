@@ -1,7 +1,10 @@
-//! The golden tables: the library against exact values, in both precisions, within tests/budget.rs.
+//! The golden tables: the library against exact values, in both precisions and under both
+//! promises, within tests/budget.rs.
 
-use crate::budget::{BUDGETS, budget_of};
-use crate::tables::{Deviation, Outcome, Quantity, Rounded, Table, evaluate, read_directory};
+use crate::budget::{BUDGETS, ROUNDINGS, broken_by_roundings, budget_of};
+use crate::tables::{
+    Deviation, Outcome, Promise, Quantity, Rounded, Table, evaluate, read_directory,
+};
 use lobe::Real;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -22,7 +25,8 @@ fn outcome_of(rows: &[Deviation]) -> Outcome {
 #[test]
 fn every_input_is_exactly_f32() {
     for (table, quantity) in golden_tables() {
-        let Rounded { rows, first, refused } = evaluate::<f32>(&table, quantity).unwrap().rounded;
+        let Rounded { rows, first, refused } =
+            evaluate::<f32>(&table, quantity, Promise::Forward).unwrap().rounded;
         assert_eq!((rows, first, refused), (0, None, 0), "{}", table.stem);
     }
 }
@@ -37,28 +41,34 @@ fn precision<R: Real>() -> &'static str {
     if R::SINGLE { "f32" } else { "f64" }
 }
 
-/// Why `table` is over its budget in the precision `R`: table, precision, numbers and worst row.
-fn broken_budget<R: Real>(table: &Table, quantity: &Quantity) -> Option<String> {
-    let name = format!("{} {}", table.stem, precision::<R>());
+/// Why `table` is over its budget in the precision `R`: table, precision, promise, numbers and
+/// worst row.
+fn broken_budget<R: Real>(table: &Table, quantity: &Quantity, promise: Promise) -> Option<String> {
+    let name = format!("{} {} {}", table.stem, precision::<R>(), promise.name());
     let Some(budget) = budget_of(&table.stem, R::SINGLE) else {
         return Some(format!("{name}: no budget in tests/budget.rs"));
     };
-    let outcome = match evaluate::<R>(table, quantity) {
+    let outcome = match evaluate::<R>(table, quantity, promise) {
         Ok(outcome) => outcome,
         Err(message) => return Some(format!("{name}: {message}")),
     };
-    let Outcome { max_rel, p99_rel, worst_row, bad, .. } = outcome;
-    let reason = budget.broken_by(max_rel, p99_rel, bad)?;
+    let Outcome { max_rel, p99_rel, roundings, worst_row, bad, .. } = outcome;
+    let reason = match promise {
+        Promise::Forward => budget.broken_by(max_rel, p99_rel, bad)?,
+        Promise::Backward => broken_by_roundings(roundings, bad)?,
+    };
     let numbers = &table.rows[worst_row - 1];
     Some(format!("{name}: {reason}; worst row {worst_row}: {numbers:?}"))
 }
 
 /// All tables are judged before the first failure is reported.
 fn assert_within_budget<R: Real>() {
-    let broken: Vec<String> = golden_tables()
-        .iter()
-        .filter_map(|(table, quantity)| broken_budget::<R>(table, quantity))
-        .collect();
+    let tables = golden_tables();
+    let broken = tables.iter().flat_map(|(table, quantity)| {
+        let promises = quantity.promises().iter();
+        promises.filter_map(|&promise| broken_budget::<R>(table, quantity, promise))
+    });
+    let broken: Vec<String> = broken.collect();
     assert!(broken.is_empty(), "over budget:\n{}", broken.join("\n"));
 }
 
@@ -102,9 +112,9 @@ fn assert_change_is_noticed<R: Real>(change: impl Fn(f64) -> f64) {
     for (mut table, quantity) in short_tables() {
         let max_rel = budget_of(&table.stem, R::SINGLE).expect("a budget").max_rel;
         *largest_expected(&mut table, quantity) *= 1.0 + change(max_rel);
-        let message = broken_budget::<R>(&table, quantity)
+        let message = broken_budget::<R>(&table, quantity, Promise::Forward)
             .unwrap_or_else(|| panic!("{} {}: unnoticed", table.stem, precision::<R>()));
-        let named = format!("{} {}: max ", table.stem, precision::<R>());
+        let named = format!("{} {} forward: max ", table.stem, precision::<R>());
         assert!(message.starts_with(&named) && message.contains("worst row"), "{message}");
     }
 }
@@ -118,6 +128,46 @@ fn one_expected_value_off_by_three_budgets_is_over_budget_in_every_table() {
 #[test]
 fn one_expected_value_off_by_a_thousandth_is_over_budget_in_every_table() {
     assert_change_is_noticed::<f64>(|_| 1e-3);
+}
+
+/// Moves of 16 roundings explain an error of 256 only where the result changes by 15 times as much
+/// as the inputs. That is so in some rows of a table but not in all, so every row gets the error.
+fn assert_backward_change_is_noticed<R: Real>() {
+    let mut judged = 0;
+    for (mut table, quantity) in short_tables() {
+        if !quantity.promises().contains(&Promise::Backward) {
+            continue;
+        }
+        assert_eq!(broken_budget::<R>(&table, quantity, Promise::Backward), None);
+        let error = 256.0 * R::EPSILON.to_f64();
+        table.rows.iter_mut().for_each(|row| *row.last_mut().expect("a result") *= 1.0 + error);
+        let name = format!("{} {} backward: ", table.stem, precision::<R>());
+        let message = broken_budget::<R>(&table, quantity, Promise::Backward)
+            .unwrap_or_else(|| panic!("{name}unnoticed"));
+        let ending = format!(" eps > {ROUNDINGS}; worst row");
+        assert!(message.starts_with(&name) && message.contains(&ending), "{message}");
+        judged += 1;
+    }
+    assert_eq!(judged, 10, "tables of default shapes");
+}
+
+#[test]
+fn an_error_of_256_roundings_is_over_the_backward_budget_in_every_table_of_default_shapes() {
+    assert_backward_change_is_noticed::<f32>();
+    assert_backward_change_is_noticed::<f64>();
+}
+
+#[test]
+fn the_worst_row_is_that_of_what_is_judged() {
+    let of = |got: f64, roundings: f64| {
+        let row = Deviation::of(&[got], &[1.0], false);
+        Deviation { roundings, ..row }
+    };
+    let rows = [of(1.1, 1.0), of(1.2, 4.0), of(1.3, 4.0), of(2.0, 2.0)];
+    let Outcome { roundings, worst_row, max_rel, .. } = outcome_of(&rows);
+    assert_eq!((roundings, worst_row, max_rel), (4.0, 3, 1.0));
+    let rows = rows.map(|row| Deviation { roundings: 0.0, ..row });
+    assert_eq!((outcome_of(&rows).roundings, outcome_of(&rows).worst_row), (0.0, 4));
 }
 
 #[test]

@@ -10,6 +10,8 @@ mod budget;
 mod common;
 #[path = "../common/fuzz_laws/mod.rs"]
 mod fuzz_laws;
+#[path = "../common/roundings.rs"]
+mod roundings;
 #[path = "../common/tables/mod.rs"]
 mod tables;
 

@@ -1,8 +1,8 @@
 //! Laws of covariances: whatever is done to them, they stay positive semi-definite, and the
 //! determinant they carry is theirs.
 
+use crate::backward::backward;
 use crate::common::arbitrary::Source;
-use crate::common::backward::backward;
 use crate::common::reference::{eigenvalues, matrix};
 use crate::common::{ULP, check, check_all, ensure, near, near_all};
 use core::fmt::Debug;

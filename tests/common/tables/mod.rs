@@ -2,18 +2,23 @@
 //!
 //! Shared by `cargo run --release --example validate` and tests/laws/golden.rs.
 
+mod backward;
 mod file;
 mod number;
 mod outcome;
 mod quantity;
+mod shapes;
 
 pub(crate) use file::{Table, read_directory};
 pub(crate) use outcome::{Deviation, Outcome, Rounded};
 pub(crate) use quantity::Quantity;
+pub(crate) use shapes::Promise;
 
+use backward::roundings_of;
 use lobe::{Error, Real};
 
-/// Evaluates `quantity` on every row of `table` in the precision `R`.
+/// Evaluates `quantity` on every row of `table` in the precision `R`, by the function that
+/// `promise` judges.
 ///
 /// Inputs that `R` does not hold are rounded to it, and the row's expected values are moved to the
 /// rounded inputs by the library itself in f64, $expected + f_{64}(rounded) - f_{64}(given)$. The
@@ -25,8 +30,20 @@ use lobe::{Error, Real};
 /// exceed 1e-9 of the largest moved value.
 ///
 /// An error is one line that names the file, and line and row that were refused.
-pub(crate) fn evaluate<R: Real>(table: &Table, quantity: &Quantity) -> Result<Outcome, String> {
-    let (single, double) = (quantity.evaluator::<R>(), quantity.evaluator::<f64>());
+pub(crate) fn evaluate<R: Real>(
+    table: &Table,
+    quantity: &Quantity,
+    promise: Promise,
+) -> Result<Outcome, String> {
+    let (evaluated, double) =
+        (quantity.evaluator::<R>(promise), quantity.evaluator::<f64>(Promise::Forward));
+    let deviation = |got: &[R], expected: &[f64], held: &[f64]| {
+        let mut deviation = Deviation::of(got, expected, quantity.signed);
+        if promise == Promise::Backward {
+            deviation.roundings = roundings_of::<R>(got[0].to_f64(), expected[0], held, double);
+        }
+        deviation
+    };
     let mut deviations = Vec::with_capacity(table.rows.len());
     let mut rounded = Rounded::default();
     for (index, row) in table.rows.iter().enumerate() {
@@ -38,8 +55,8 @@ pub(crate) fn evaluate<R: Real>(table: &Table, quantity: &Quantity) -> Result<Ou
             format!("{path}: line {line} (row {}): {error}", index + 1)
         };
         let Some(column) = (0..given.len()).find(|&k| held[k] != given[k]) else {
-            let got = single(&inputs).map_err(refused)?;
-            deviations.push((index, Deviation::of(&got, expected, quantity.signed)));
+            let got = evaluated(&inputs).map_err(refused)?;
+            deviations.push((index, deviation(&got, expected, &held)));
             continue;
         };
         let here = double(given).map_err(refused)?;
@@ -51,9 +68,9 @@ pub(crate) fn evaluate<R: Real>(table: &Table, quantity: &Quantity) -> Result<Ou
             let moved: Vec<f64> = (0..expected.len()).map(moved).collect();
             is_trusted::<R>(&moved, expected, &here).then_some(moved)
         });
-        match (moved, single(&inputs)) {
+        match (moved, evaluated(&inputs)) {
             (Some(moved), Ok(got)) => {
-                deviations.push((index, Deviation::of(&got, &moved, quantity.signed)));
+                deviations.push((index, deviation(&got, &moved, &held)));
             }
             _ => rounded.refused += 1,
         }

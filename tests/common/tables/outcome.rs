@@ -11,6 +11,8 @@ pub(crate) struct Deviation {
     pub(crate) ulp: f64,
     /// Whether a result is NaN, infinite, or negative where it cannot be.
     pub(crate) bad: bool,
+    /// Backward error in roundings; 0 where it is not judged.
+    pub(crate) roundings: f64,
 }
 
 impl Deviation {
@@ -28,7 +30,7 @@ impl Deviation {
                 if got.is_finite() { difference.max((got - expected).abs()) } else { f64::MAX };
         }
         let ulp = (difference / unit_in_last_place::<R>(scale)).min(f64::MAX);
-        Self { relative: (difference / scale).min(f64::MAX), ulp, bad }
+        Self { relative: (difference / scale).min(f64::MAX), ulp, bad, roundings: 0.0 }
     }
 }
 
@@ -43,7 +45,10 @@ pub(crate) struct Outcome {
     pub(crate) p99_rel: f64,
     /// Largest error in units of the last place of the expected value.
     pub(crate) max_ulp: f64,
-    /// The row of the largest relative error, counted from 1 below the header; 0 of no row.
+    /// Largest backward error in roundings, a power of two; 0 where it is not judged.
+    pub(crate) roundings: f64,
+    /// The row of the largest backward error, and among rows of one backward error that of the
+    /// largest relative one; counted from 1 below the header, 0 of no row.
     pub(crate) worst_row: usize,
     /// Rows with a NaN or infinite result, or a negative one of a quantity that cannot be negative.
     pub(crate) bad: usize,
@@ -75,7 +80,9 @@ impl Outcome {
     /// Over rows of a table with their indices, in their order. Without a row all numbers are 0.
     pub(crate) fn of(deviations: &[(usize, Deviation)], rounded: Rounded) -> Self {
         let mut errors: Vec<f64> = deviations.iter().map(|(_, row)| row.relative).collect();
-        let worst = (0..errors.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b]));
+        let worst = deviations.iter().max_by(|(_, a), (_, b)| {
+            a.roundings.total_cmp(&b.roundings).then(a.relative.total_cmp(&b.relative))
+        });
         errors.sort_by(f64::total_cmp);
         let rows = errors.len();
         let error = |rank: usize| errors.get(rank.saturating_sub(1)).copied().unwrap_or_default();
@@ -84,7 +91,8 @@ impl Outcome {
             max_rel: error(rows),
             p99_rel: error((rows * 99).div_ceil(100)),
             max_ulp: deviations.iter().fold(0.0, |largest, (_, row)| row.ulp.max(largest)),
-            worst_row: worst.map_or(0, |worst| deviations[worst].0 + 1),
+            roundings: deviations.iter().fold(0.0, |largest, (_, row)| row.roundings.max(largest)),
+            worst_row: worst.map_or(0, |(row, _)| row + 1),
             bad: deviations.iter().filter(|(_, row)| row.bad).count(),
             rounded,
         }

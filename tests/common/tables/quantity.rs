@@ -1,8 +1,10 @@
 //! The quantities that tables can hold: columns, and how the library computes them.
 
-use lobe::slope::{Compensated, direction, jacobian};
+use super::shapes::{Exact, Factored, Promise, Shapes};
+use lobe::ndf::{BeckmannDistribution, GgxDistribution};
+use lobe::slope::{direction, jacobian};
 use lobe::{
-    AxisAligned, Beckmann, Distribution, Error, Footprint, Ggx, Kernel, Lobe, Ndf, Path, Psd, Real,
+    AxisAligned, Distribution, Error, Footprint, Ggx, Kernel, Lobe, Ndf, Path, Psd, Real,
     Roughness, Vertex, filter,
 };
 
@@ -20,13 +22,11 @@ pub(crate) struct Quantity {
     formula: Formula,
 }
 
+/// How a quantity is computed.
 #[derive(Debug)]
 enum Formula {
-    SlopePdf(Name),
-    D(Name),
-    ProjectedArea(Name),
-    Lambda(Name),
-    Brdf(Name),
+    /// What is promised of every shape of matrix entries, compensated or default.
+    Shape(Name, Query),
     BeckmannRectangle,
     GgxRectangle,
     GgxParallelogram,
@@ -42,6 +42,16 @@ enum Formula {
 enum Name {
     Beckmann,
     Ggx,
+}
+
+/// What a distribution over a shape is asked.
+#[derive(Clone, Copy, Debug)]
+enum Query {
+    SlopePdf,
+    D,
+    ProjectedArea,
+    Lambda,
+    Brdf,
 }
 
 const EXPECTED: &[&str] = &["expected"];
@@ -75,16 +85,16 @@ const fn matrix(
 }
 
 static QUANTITIES: &[Quantity] = &[
-    quantity("beckmann_p22", SLOPE, Formula::SlopePdf(Name::Beckmann)),
-    quantity("ggx_p22", SLOPE, Formula::SlopePdf(Name::Ggx)),
-    quantity("beckmann_d", NORMAL, Formula::D(Name::Beckmann)),
-    quantity("ggx_d", NORMAL, Formula::D(Name::Ggx)),
-    quantity("beckmann_projected_area", AREA, Formula::ProjectedArea(Name::Beckmann)),
-    quantity("ggx_projected_area", AREA, Formula::ProjectedArea(Name::Ggx)),
-    quantity("beckmann_lambda", MASKED, Formula::Lambda(Name::Beckmann)),
-    quantity("ggx_lambda", MASKED, Formula::Lambda(Name::Ggx)),
-    quantity("beckmann_brdf", LIT, Formula::Brdf(Name::Beckmann)),
-    quantity("ggx_brdf", LIT, Formula::Brdf(Name::Ggx)),
+    quantity("beckmann_p22", SLOPE, Formula::Shape(Name::Beckmann, Query::SlopePdf)),
+    quantity("ggx_p22", SLOPE, Formula::Shape(Name::Ggx, Query::SlopePdf)),
+    quantity("beckmann_d", NORMAL, Formula::Shape(Name::Beckmann, Query::D)),
+    quantity("ggx_d", NORMAL, Formula::Shape(Name::Ggx, Query::D)),
+    quantity("beckmann_projected_area", AREA, Formula::Shape(Name::Beckmann, Query::ProjectedArea)),
+    quantity("ggx_projected_area", AREA, Formula::Shape(Name::Ggx, Query::ProjectedArea)),
+    quantity("beckmann_lambda", MASKED, Formula::Shape(Name::Beckmann, Query::Lambda)),
+    quantity("ggx_lambda", MASKED, Formula::Shape(Name::Ggx, Query::Lambda)),
+    quantity("beckmann_brdf", LIT, Formula::Shape(Name::Beckmann, Query::Brdf)),
+    quantity("ggx_brdf", LIT, Formula::Shape(Name::Ggx, Query::Brdf)),
     quantity("beckmann_rectangle_mean", RECTANGLE, Formula::BeckmannRectangle),
     quantity("ggx_rectangle_mean", RECTANGLE, Formula::GgxRectangle),
     quantity("ggx_parallelogram_mean", PARALLELOGRAM, Formula::GgxParallelogram),
@@ -125,38 +135,24 @@ pub(crate) fn quantity_of(stem: &str) -> Option<&'static Quantity> {
 }
 
 /// Outputs from inputs, or why the inputs are refused.
-type Evaluator<R> = fn(&[R]) -> Result<Vec<R>, Error>;
+pub(super) type Evaluator<R> = fn(&[R]) -> Result<Vec<R>, Error>;
 
 impl Quantity {
-    /// The function of this quantity in the precision `R`.
-    pub(crate) fn evaluator<R: Real>(&self) -> Evaluator<R> {
+    /// What the quantity is judged by. Means over polygons are promised forward accuracy only.
+    pub(crate) fn promises(&self) -> &'static [Promise] {
         match self.formula {
-            Formula::SlopePdf(Name::Beckmann) => {
-                |x| Ok(slope_pdf(&Beckmann::new(lobe(&x[2..])?), x))
-            }
-            Formula::SlopePdf(Name::Ggx) => |x| Ok(slope_pdf(&Ggx::new(lobe(&x[2..])?), x)),
-            Formula::D(Name::Beckmann) => {
-                |x| Ok(vec![Beckmann::new(centered(&x[3..])?).d(vector(x))])
-            }
-            Formula::D(Name::Ggx) => |x| Ok(vec![Ggx::new(centered(&x[3..])?).d(vector(x))]),
-            Formula::ProjectedArea(Name::Beckmann) => {
-                |x| Ok(vec![Beckmann::new(lobe(&x[3..])?).projected_area(vector(x))])
-            }
-            Formula::ProjectedArea(Name::Ggx) => {
-                |x| Ok(vec![Ggx::new(lobe(&x[3..])?).projected_area(vector(x))])
-            }
-            Formula::Lambda(Name::Beckmann) => {
-                |x| Ok(vec![Beckmann::new(centered(&x[3..])?).lambda(vector(x))])
-            }
-            Formula::Lambda(Name::Ggx) => {
-                |x| Ok(vec![Ggx::new(centered(&x[3..])?).lambda(vector(x))])
-            }
-            Formula::Brdf(Name::Beckmann) => {
-                |x| Ok(vec![Beckmann::new(lobe(&x[6..])?).brdf(vector(x), vector(&x[3..]))])
-            }
-            Formula::Brdf(Name::Ggx) => {
-                |x| Ok(vec![Ggx::new(lobe(&x[6..])?).brdf(vector(x), vector(&x[3..]))])
-            }
+            Formula::Shape(..) => &[Promise::Forward, Promise::Backward],
+            _ => &[Promise::Forward],
+        }
+    }
+
+    /// The function of this quantity in the precision `R` that a promise judges.
+    pub(super) fn evaluator<R: Real>(&self, promise: Promise) -> Evaluator<R> {
+        match self.formula {
+            Formula::Shape(name, query) => match promise {
+                Promise::Forward => of_shape::<R, Exact>(name, query),
+                Promise::Backward => of_shape::<R, Factored>(name, query),
+            },
             Formula::BeckmannRectangle => |x| {
                 AxisAligned::new(x[4], x[5])?;
                 let widths = [x[2] + x[2], x[3] + x[3]];
@@ -168,7 +164,8 @@ impl Quantity {
             },
             Formula::GgxParallelogram => |x| {
                 let footprint = Footprint::from_slopes([x[2], x[3]], [x[4], x[5]]);
-                Ok(vec![Ggx::new(centered(&x[6..])?).parallelogram_mean([x[0], x[1]], &footprint)])
+                let ggx = Ggx::new(Exact::centered(vector(&x[6..]))?);
+                Ok(vec![ggx.parallelogram_mean([x[0], x[1]], &footprint)])
             },
             Formula::GgxGaussian => |x| {
                 let kernel = Kernel::from_covariance(Psd::new(x[2], x[3], x[4])?);
@@ -202,8 +199,21 @@ impl Quantity {
     }
 }
 
-fn slope_pdf<R: Real, D: Distribution>(ndf: &Ndf<D, Compensated<R>>, x: &[R]) -> Vec<R> {
-    vec![ndf.slope_pdf([x[0], x[1]])]
+fn of_shape<R: Real, S: Shapes<R>>(name: Name, query: Query) -> Evaluator<R> {
+    match name {
+        Name::Beckmann => asked::<R, S, BeckmannDistribution>(query),
+        Name::Ggx => asked::<R, S, GgxDistribution>(query),
+    }
+}
+
+fn asked<R: Real, S: Shapes<R>, D: Distribution>(query: Query) -> Evaluator<R> {
+    match query {
+        Query::SlopePdf => |x| Ok(vec![moved::<R, S, D>(&x[2..])?.slope_pdf([x[0], x[1]])]),
+        Query::D => |x| Ok(vec![centered::<R, S, D>(&x[3..])?.d(vector(x))]),
+        Query::ProjectedArea => |x| Ok(vec![moved::<R, S, D>(&x[3..])?.projected_area(vector(x))]),
+        Query::Lambda => |x| Ok(vec![centered::<R, S, D>(&x[3..])?.lambda(vector(x))]),
+        Query::Brdf => |x| Ok(vec![moved::<R, S, D>(&x[6..])?.brdf(vector(x), vector(&x[3..]))]),
+    }
 }
 
 fn vector<R: Real>(x: &[R]) -> [R; 3] {
@@ -215,11 +225,11 @@ fn roughness<R: Real>(x: &[R]) -> Result<Roughness<R>, Error> {
 }
 
 /// From `a_xx, a_xy, a_yy`.
-fn centered<R: Real>(x: &[R]) -> Result<Compensated<R>, Error> {
-    Compensated::new([R::ZERO; 2], vector(x))
+fn centered<R: Real, S: Shapes<R>, D: Distribution>(x: &[R]) -> Result<Ndf<D, S::Centered>, Error> {
+    Ok(Ndf::new(S::centered(vector(x))?))
 }
 
 /// From `mean_x, mean_y, a_xx, a_xy, a_yy`.
-fn lobe<R: Real>(x: &[R]) -> Result<Compensated<R>, Error> {
-    Compensated::new([x[0], x[1]], vector(&x[2..]))
+fn moved<R: Real, S: Shapes<R>, D: Distribution>(x: &[R]) -> Result<Ndf<D, S::Moved>, Error> {
+    Ok(Ndf::new(S::moved([x[0], x[1]], vector(&x[2..]))?))
 }
