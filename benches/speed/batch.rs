@@ -7,7 +7,7 @@ use super::cases::{Case, EVALUATION};
 use super::columns::{Column, EMPTY, Inputs, columns};
 use super::samples::{COUNT, Regime, Sample, samples};
 use lobe::PixelFilter;
-use lobe::batch::{Footprint, Ggx, Isotropic, Widened};
+use lobe::batch::{Anisotropic, Footprint, Ggx, Isotropic, Widened};
 use std::hint::black_box;
 use std::rc::Rc;
 
@@ -38,7 +38,7 @@ fn row<const N: usize>(
 }
 
 /// Every row.
-pub(crate) fn rows() -> [Case; 2] {
+pub(crate) fn rows() -> [Case; 3] {
     let inputs = Inputs::new(samples(Regime::Mixed));
     [
         row(
@@ -62,6 +62,20 @@ pub(crate) fn rows() -> [Case; 2] {
                 let shapes = Isotropic(alpha);
                 let ggx = Ggx::new(Widened { shapes, footprints, filter: PixelFilter::BOX });
                 ggx.brdf([a, b, c], [d, e, f], out).expect("one length");
+            },
+        ),
+        row(
+            &inputs,
+            "batch_ggx_parallelogram_double",
+            |s| {
+                let ([l_xx, l_yx, l_yy], [x, y]) = (s.matrix.cholesky(), s.slope);
+                let ([a, b], [c, d]) = (s.footprint.u, s.footprint.v);
+                [l_xx, l_yx, l_yy, x, y, a, b, c, d]
+            },
+            |[l_xx, l_yx, l_yy, x, y, a, b, c, d], _, out| {
+                let footprints = Footprint { u: [a, b], v: [c, d] };
+                let ggx = Ggx::new(Anisotropic([l_xx, l_yx, l_yy]));
+                ggx.parallelogram_mean_in_double([x, y], footprints, out).expect("one length");
             },
         ),
     ]

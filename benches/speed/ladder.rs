@@ -23,12 +23,13 @@ const STEPS: [(&str, [&str; 4]); 3] = [
 ];
 
 /// Other rows that stand below, and what they are.
-const OTHERS: [(&str, &str); 12] = [
+const OTHERS: [(&str, &str); 13] = [
     ("ggx_widened_on_disk", "GGX, isotropic, widened on the projected disk"),
     ("ggx_peak_fitted", "GGX, isotropic, widened to the right peak"),
     ("ggx_peak_fitted_full", "GGX, any A, widened to the right peak"),
     ("ggx_parallelogram_f32", "GGX, any A: the mean over a parallelogram in lanes"),
     ("ggx_parallelogram_f64", "GGX, any A: that mean in lanes of f64"),
+    ("batch_ggx_parallelogram_double", "GGX, any A: that mean, exact, by f64 where it serves"),
     ("ggx_parallelogram_tree", "GGX, any A: that mean by the tree"),
     ("ggx_brdf_over_f32", "GGX, any A: the BRDF over a parallelogram in lanes"),
     ("ggx_brdf_over_tree", "GGX, any A: that BRDF by the tree"),

@@ -29,7 +29,29 @@ pub(super) fn fill<C: Columns, R: Real, const N: usize>(
     Ok(())
 }
 
-/// The same for formulas of branches, which are no lanes.
+/// Writes `f` of each element where that is a number, and `otherwise` where it is NaN: a formula in
+/// lanes that knows where it does not serve, and one of branches for the rest.
+pub(super) fn fill_or<C: Columns>(
+    columns: C,
+    out: &mut [f32],
+    f: impl Fn(C::Item) -> f32,
+    otherwise: impl Fn(C::Item) -> f32,
+) -> Result<(), Error> {
+    fill(
+        columns,
+        [&mut *out],
+        #[inline(always)]
+        |item| [f(item)],
+    )?;
+    for (k, value) in out.iter_mut().enumerate() {
+        if value.is_nan() {
+            *value = otherwise(columns.at(k));
+        }
+    }
+    Ok(())
+}
+
+/// Writes `f` of each element, for formulas of branches, which do not become lanes.
 pub(super) fn fill_one_by_one<C: Columns, R: Real, const N: usize>(
     columns: C,
     mut out: [&mut [R]; N],

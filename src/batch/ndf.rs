@@ -3,7 +3,7 @@
 //! Layer 5.
 
 use super::columns::Columns;
-use super::fill::{fill, fill_one_by_one};
+use super::fill::{fill, fill_one_by_one, fill_or};
 use crate::error::Error;
 use crate::ndf::{self, BeckmannDistribution, Distribution, GgxDistribution};
 use crate::slope::{Footprint, LobeShape, Whiten};
@@ -170,6 +170,48 @@ impl<S: Columns<Item: Whiten>> Ggx<S> {
         })
     }
 
+    /// [`lobe::Ndf::parallelogram_mean_in_lanes`](ndf::Ndf::parallelogram_mean_in_lanes) of every
+    /// element.
+    ///
+    /// # Errors
+    /// As [`Ndf::slope_pdf`].
+    pub fn parallelogram_mean_in_lanes(
+        &self,
+        slopes: impl Columns<Item = [Scalar<S>; 2]>,
+        footprints: impl Columns<Item = Footprint<Scalar<S>>>,
+        out: &mut [Scalar<S>],
+    ) -> Result<(), Error> {
+        fill(
+            (self.shapes, slopes, footprints),
+            [out],
+            #[inline(always)]
+            |(shape, slope, footprint)| {
+                [ndf::Ggx::new(shape).parallelogram_mean_in_lanes(slope, &footprint)]
+            },
+        )
+    }
+
+    /// [`lobe::Ndf::brdf_over_in_lanes`](ndf::Ndf::brdf_over_in_lanes) of every element.
+    ///
+    /// # Errors
+    /// As [`Ndf::slope_pdf`].
+    pub fn brdf_over_in_lanes(
+        &self,
+        wo: impl Columns<Item = [Scalar<S>; 3]>,
+        wi: impl Columns<Item = [Scalar<S>; 3]>,
+        footprints: impl Columns<Item = Footprint<Scalar<S>>>,
+        out: &mut [Scalar<S>],
+    ) -> Result<(), Error> {
+        fill(
+            (self.shapes, wo, wi, footprints),
+            [out],
+            #[inline(always)]
+            |(shape, wo, wi, footprint)| {
+                [ndf::Ggx::new(shape).brdf_over_in_lanes(wo, wi, &footprint)]
+            },
+        )
+    }
+
     /// [`lobe::Ndf::brdf_over`](ndf::Ndf::brdf_over) of every element, one after the other: its
     /// tree of branches is no lanes.
     ///
@@ -196,5 +238,40 @@ impl<S: Columns<Item: Whiten>> Ggx<S> {
         fill_one_by_one((self.shapes, wo, wi, footprints), [out], |(shape, wo, wi, footprint)| {
             [ndf::Ggx::new(shape).brdf_over(wo, wi, &footprint)]
         })
+    }
+}
+
+impl<S: Columns<Item: Whiten<Scalar = f32>>> Ggx<S> {
+    /// [`lobe::Ndf::parallelogram_mean_in_double`](ndf::Ndf::parallelogram_mean_in_double) of every
+    /// element: in lanes of f64 where they serve, by the tree elsewhere.
+    ///
+    /// # Errors
+    /// As [`Ndf::slope_pdf`].
+    ///
+    /// ```
+    /// use lobe::batch::{Fixed, Footprint, Ggx, Isotropic};
+    /// let footprints = Footprint { u: Fixed([0.3, 0.0]), v: Fixed([0.0, 0.1]) };
+    /// let alphas: &[f32] = &[0.1, 0.4];
+    /// let mut mean = [0.0; 2];
+    /// let ggx = Ggx::new(Isotropic(alphas));
+    /// ggx.parallelogram_mean_in_double(Fixed([0.0, 0.0]), footprints, &mut mean)?;
+    /// assert!(mean[0] > mean[1]);
+    /// # Ok::<(), lobe::Error>(())
+    /// ```
+    pub fn parallelogram_mean_in_double(
+        &self,
+        slopes: impl Columns<Item = [f32; 2]>,
+        footprints: impl Columns<Item = Footprint<f32>>,
+        out: &mut [f32],
+    ) -> Result<(), Error> {
+        fill_or(
+            (self.shapes, slopes, footprints),
+            out,
+            #[inline(always)]
+            |(shape, slope, footprint)| {
+                ndf::Ggx::new(shape).parallelogram_mean_if_known(slope, &footprint)
+            },
+            |(shape, slope, footprint)| ndf::Ggx::new(shape).parallelogram_mean(slope, &footprint),
+        )
     }
 }

@@ -59,6 +59,7 @@ fn inverse_pi<R: Real>() -> R {
 /// infinity.
 // Further methods: ndf/masking.rs, ndf/beckmann.rs, filter/polygon/tree.rs.
 // Further methods: filter/polygon/brdf.rs, filter/polygon/lanes.rs, filter/polygon/height.rs.
+// Further methods: filter/polygon/double.rs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ndf<D, S> {
     shape: S,

@@ -258,9 +258,34 @@ fn polygon_means_agree<R: Real>() {
         batch.parallelogram_mean(slopes, data.footprints(), &mut out).expect("one length");
         equal(&out, |k| ggx.parallelogram_mean(element(&data.slope, k), &data.footprint(k)));
         let (wo, wi) = (slices(&data.wo), slices(&data.wi));
+        batch.parallelogram_mean_in_lanes(slopes, data.footprints(), &mut out).expect("one length");
+        equal(&out, |k| {
+            ggx.parallelogram_mean_in_lanes(element(&data.slope, k), &data.footprint(k))
+        });
+        batch.brdf_over_in_lanes(wo, wi, data.footprints(), &mut out).expect("one length");
+        equal(&out, |k| {
+            ggx.brdf_over_in_lanes(element(&data.wo, k), element(&data.wi, k), &data.footprint(k))
+        });
         batch.brdf_over(wo, wi, data.footprints(), &mut out).expect("one length");
         equal(&out, |k| {
             ggx.brdf_over(element(&data.wo, k), element(&data.wi, k), &data.footprint(k))
+        });
+    };
+    lengths().map(Data::new).for_each(|data| agrees(&data));
+}
+
+#[test]
+fn polygon_means_by_f64_inside_agree() {
+    let agrees = |data: &Data<f32>| {
+        let shapes = batch::AxisAligned([Fixed(0.2), Fixed(0.05)]);
+        let ggx = Ggx::new(AxisAligned::saturating(0.2, 0.05));
+        let mut out = vec![0.0; data.length()];
+        let (slopes, over) = (slices(&data.slope), data.footprints());
+        batch::Ggx::new(shapes)
+            .parallelogram_mean_in_double(slopes, over, &mut out)
+            .expect("one length");
+        equal(&out, |k| {
+            ggx.parallelogram_mean_in_double(element(&data.slope, k), &data.footprint(k))
         });
     };
     lengths().map(Data::new).for_each(|data| agrees(&data));
@@ -411,6 +436,25 @@ fn lengths_that_differ_are_refused_before_anything_is_written() {
     refuses(|[a, p, q, r, s, x, y], [out]| {
         let footprints = Footprint { u: [p, q], v: [r, s] };
         batch::Ggx::new(batch::Isotropic(a)).parallelogram_mean([x, y], footprints, out)
+    });
+    refuses(|[a, p, q, r, s, x, y], [out]| {
+        let footprints = Footprint { u: [p, q], v: [r, s] };
+        let ggx = batch::Ggx::new(batch::Isotropic(a));
+        ggx.parallelogram_mean_in_double([x, y], footprints, out)
+    });
+    refuses(|[a, p, q, r, s, x, y], [out]| {
+        let footprints = Footprint { u: [p, q], v: [r, s] };
+        let ggx = batch::Ggx::new(batch::Isotropic(a));
+        ggx.parallelogram_mean_in_lanes([x, y], footprints, out)
+    });
+    refuses(|[a, p, q, r, s, o, i], [out]| {
+        let footprints = Footprint { u: [p, q], v: [r, s] };
+        batch::Ggx::new(batch::Isotropic(a)).brdf_over_in_lanes(
+            [o, o, o],
+            [i, i, i],
+            footprints,
+            out,
+        )
     });
     refuses(|[a, p, q, r, s, o, i], [out]| {
         let footprints = Footprint { u: [p, q], v: [r, s] };

@@ -26,6 +26,7 @@ mod corpus;
 mod deferred;
 mod dictionary;
 mod dictionary_bytes;
+mod double;
 mod errata;
 mod errata_glints;
 mod errata_leadr;

@@ -31,6 +31,7 @@ fn homes(path: &str) -> Vec<&str> {
         "slope/anisotropic" | "slope/non_centered" | "slope/widened" => {
             vec![path, "slope/shape", "slope/whiten"]
         }
+        "filter/polygon/lanes" => vec![path, "filter/polygon/halves"],
         _ if path.starts_with("scalar/") => vec![path, "scalar/real"],
         _ => vec![path],
     }
@@ -297,8 +298,10 @@ fn constants_are_bit_equal() {
         count += 1;
         let want: Vec<f32> = match public_constant(twin) {
             Some(value) => vec![value],
-            None => value(&rust_text(path).expect("a Rust file"), twin)
-                .unwrap_or_else(|| panic!("no constant {twin} in src/{path}.rs")),
+            None => homes(path)
+                .into_iter()
+                .find_map(|home| value(&rust_text(home)?, twin))
+                .unwrap_or_else(|| panic!("no constant {twin} in {:?}", homes(path))),
         };
         assert!(!declared.numbers.is_empty(), "{} has no number", declared.name);
         let weights = declared.name.ends_with("_WEIGHTS");

@@ -4,7 +4,8 @@
 //! Layer 3. brdf.rs asks where a footprint and a lobe meet; here two Gaussians say it, with one
 //! root and two divisions.
 
-use super::lanes::{Halves, inverse_and_limit};
+use super::halves::Halves;
+use super::lanes::inverse_and_limit;
 use crate::ndf::{GgxDistribution, Ndf};
 use crate::scalar::Real;
 use crate::slope::{Footprint, LobeShape, Whiten};
@@ -134,7 +135,8 @@ impl<S: Whiten> Ndf<GgxDistribution, S> {
             factor: self.shape().factor(),
             sides2: S::Scalar::lit(0.25) * (square(u) + square(v)),
         };
-        let raised = raised(&halves, &at, halves.mean(), <S as LobeShape>::CENTERED).max(zero);
+        let raised =
+            raised(&halves, &at, halves.mean().value, <S as LobeShape>::CENTERED).max(zero);
         let density = (S::Scalar::lit(FRAC_1_PI) * inverse) * raised;
         let brdf = density * self.visibility(wo, wi);
         let limit = if half[2] > zero { limit } else { zero };

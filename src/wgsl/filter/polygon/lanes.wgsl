@@ -1,5 +1,5 @@
 // GGX over a parallelogram in straight-line code, four edges as a `vec4f`.
-// Rust: src/filter/polygon/lanes.rs.
+// Rust: src/filter/polygon/lanes.rs, halves.rs.
 
 // WGSL only: `Limits::small`.
 const LOBE_LANES_SMALL: f32 = 0.09;
