@@ -228,7 +228,7 @@ impl<R: Real> Halves<R> {
         let (x2, y2, z2, t2) = (x * x, y * y, z * z, t * t);
         // Products of two 1 + |w|^2, so at least 1; of what is not small, rounding is not.
         let (i, j) = (one / (x2 - y2).max(one), one / (z2 - t2).max(one));
-        let small = half * (((x2 + y2) * i) * i + ((z2 + t2) * j) * j);
+        let small = half * (((x2 + y2) * i).kept() * i + ((z2 + t2) * j).kept() * j);
 
         // Distance L = sqrt(1 + d^2) of the rectangle around it, along its longer side; the least
         // height that the terms resolve there.

@@ -93,7 +93,9 @@ fn lobe_halves_mean(h: LobeHalves) -> f32 {
     let yt_squared = yt * yt;
     let product = xz_squared - yt_squared;
     let ij = 1.0 / select(vec2f(1.0), product, product > vec2f(1.0));
-    let nodes = ((xz_squared + yt_squared) * ij) * ij;
+    // The square of a reciprocal is below the range.
+    let over = (xz_squared + yt_squared) * ij;
+    let nodes = vec2f(lobe_kept(over.x), lobe_kept(over.y)) * ij;
     let small = 0.5 * (nodes.x + nodes.y);
 
     // The distance of the rectangle around it, and the least height that the terms resolve there.
