@@ -8,7 +8,7 @@ use crate::material::Fresnel;
 use crate::ndf::{BeckmannDistribution, Distribution, GgxDistribution, Ndf};
 use crate::scalar::Real;
 use crate::slope::direction::{dot, half_vector};
-use crate::slope::{Anisotropic, Footprint, Lobe, LobeShape, NonCentered};
+use crate::slope::{Anisotropic, Footprint, Lobe, LobeShape, NonCentered, Whiten};
 use core::marker::PhantomData;
 
 /// A lobe with a distribution and a Fresnel term.
@@ -74,33 +74,54 @@ impl<D: Distribution, R: Real> Material<D, R> {
     /// ([`Roughness::widened`](crate::Roughness::widened)).
     #[doc(alias = "lobe_material_bake")]
     #[inline]
-    pub fn bake(&self, kernel: &Kernel<R>) -> Shading<D, R> {
-        Shading::new(&self.lobe.widened(kernel), self.fresnel)
+    pub fn bake(&self, kernel: &Kernel<R>) -> Shading<D, NonCentered<Anisotropic<R>>> {
+        Shading::new(Ndf::new(self.lobe.widened(kernel).shape()), self.fresnel)
     }
 
     /// The material as it is.
     #[inline]
-    pub fn unfiltered(&self) -> Shading<D, R> {
-        Shading::new(&self.lobe, self.fresnel)
+    pub fn unfiltered(&self) -> Shading<D, NonCentered<Anisotropic<R>>> {
+        Shading::new(Ndf::new(self.lobe.shape()), self.fresnel)
     }
 }
 
-/// A baked material: what evaluation needs, precomputed.
+/// A baked material: what evaluation needs, precomputed, for the shape that the material has.
+///
+/// [`Material::bake`] gives one of any lobe. A material whose shape is known costs less by its own:
+/// an isotropic one under a pixel's kernel meets no matrix and no mean.
+///
+/// ```
+/// use lobe::material::Fresnel;
+/// use lobe::shade::{Material, Shading};
+/// use lobe::{Footprint, Ggx, Isotropic, Kernel, Lobe, PixelFilter, Roughness};
+///
+/// let kernel = Kernel::of(&Footprint::rectangle([0.1, 0.2]), PixelFilter::BOX);
+/// let (alpha, fresnel) = (0.05_f64, Fresnel::schlick([0.95, 0.64, 0.54])?);
+/// let shading = Shading::new(Ggx::new(kernel.widen(Isotropic::new(alpha)?)), fresnel);
+/// // A lobe of any matrix gives the same radiance, up to rounding.
+/// let lobe = Lobe::centered(Roughness::from_alpha(alpha)?);
+/// let of_any = Material::ggx(lobe, fresnel).bake(&kernel);
+/// let (wo, wi) = ([0.6, 0.0, 0.8], [-0.6, 0.0, 0.8]);
+/// let ratio = shading.evaluate(wo, wi)[0] / of_any.evaluate(wo, wi)[0];
+/// assert!((ratio - 1.0).abs() < 1e-12);
+/// # Ok::<(), lobe::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shading<D, R: Real> {
-    ndf: Ndf<D, NonCentered<Anisotropic<R>>>,
-    fresnel: Fresnel<R>,
+pub struct Shading<D, S: LobeShape> {
+    ndf: Ndf<D, S>,
+    fresnel: Fresnel<S::Scalar>,
 }
 
-impl<D: Distribution, R: Real> Shading<D, R> {
+impl<D: Distribution, S: LobeShape> Shading<D, S> {
+    /// A distribution over a shape, with a Fresnel term.
     #[inline]
-    fn new(lobe: &Lobe<R>, fresnel: Fresnel<R>) -> Self {
-        Self { ndf: Ndf::new(lobe.shape()), fresnel }
+    pub const fn new(ndf: Ndf<D, S>, fresnel: Fresnel<S::Scalar>) -> Self {
+        Self { ndf, fresnel }
     }
 
     /// The distribution underneath.
     #[inline]
-    pub const fn ndf(&self) -> &Ndf<D, NonCentered<Anisotropic<R>>> {
+    pub const fn ndf(&self) -> &Ndf<D, S> {
         &self.ndf
     }
 
@@ -113,7 +134,11 @@ impl<D: Distribution, R: Real> Shading<D, R> {
     #[doc(alias = "lobe_ggx_evaluate")]
     #[doc(alias = "lobe_beckmann_evaluate")]
     #[inline]
-    pub fn evaluate(&self, wo: impl Into<[R; 3]>, wi: impl Into<[R; 3]>) -> [R; 3] {
+    pub fn evaluate(
+        &self,
+        wo: impl Into<[S::Scalar; 3]>,
+        wi: impl Into<[S::Scalar; 3]>,
+    ) -> [S::Scalar; 3] {
         let (wo, wi) = (wo.into(), wi.into());
         color(&self.fresnel, self.ndf.brdf(wo, wi), self.ndf.shape().mean_area(wi), wo, wi)
     }
@@ -133,8 +158,8 @@ pub(super) fn color<R: Real>(
     reflectance.map(|f| (f * brdf * area).min(R::MAX))
 }
 
-impl<R: Real> Shading<GgxDistribution, R> {
-    /// The same with D averaged exactly over a footprint:
+impl<S: Whiten> Shading<GgxDistribution, S> {
+    /// [`Shading::evaluate`] with D averaged exactly over a footprint:
     /// [`Ndf::brdf_over`](crate::Ndf::brdf_over).
     ///
     /// For a material that was not baked with the same footprint's kernel: one filter, not two.
@@ -152,10 +177,10 @@ impl<R: Real> Shading<GgxDistribution, R> {
     #[inline]
     pub fn evaluate_over(
         &self,
-        wo: impl Into<[R; 3]>,
-        wi: impl Into<[R; 3]>,
-        footprint: &Footprint<R>,
-    ) -> [R; 3] {
+        wo: impl Into<[S::Scalar; 3]>,
+        wi: impl Into<[S::Scalar; 3]>,
+        footprint: &Footprint<S::Scalar>,
+    ) -> [S::Scalar; 3] {
         let (wo, wi) = (wo.into(), wi.into());
         let brdf = self.ndf.brdf_over(wo, wi, footprint);
         color(&self.fresnel, brdf, self.ndf.shape().mean_area(wi), wo, wi)
@@ -169,7 +194,7 @@ impl<R: Real> Shading<GgxDistribution, R> {
 pub fn bake_all<D: Distribution, R: Real>(
     materials: &[Material<D, R>],
     kernels: &[Kernel<R>],
-    out: &mut [Shading<D, R>],
+    out: &mut [Shading<D, NonCentered<Anisotropic<R>>>],
 ) -> Result<(), Error> {
     same_length(out.len(), materials.len())?;
     same_length(out.len(), kernels.len())?;
@@ -198,11 +223,11 @@ pub fn bake_all<D: Distribution, R: Real>(
 /// assert_eq!(short, Err(lobe::Error::Length { expected: 2, found: 1 }));
 /// # Ok::<(), lobe::Error>(())
 /// ```
-pub fn evaluate_all<D: Distribution, R: Real>(
-    shadings: &[Shading<D, R>],
-    wo: &[[R; 3]],
-    wi: &[[R; 3]],
-    out: &mut [[R; 3]],
+pub fn evaluate_all<D: Distribution, S: LobeShape>(
+    shadings: &[Shading<D, S>],
+    wo: &[[S::Scalar; 3]],
+    wi: &[[S::Scalar; 3]],
+    out: &mut [[S::Scalar; 3]],
 ) -> Result<(), Error> {
     for length in [shadings.len(), wo.len(), wi.len()] {
         same_length(out.len(), length)?;

@@ -244,9 +244,17 @@ items! {
     FilterPolygonTree: file "filter_polygon_tree";
     GgxBrdfOver: fn "ggx_brdf_over", "Ndf::brdf_over";
     FilterPolygonBrdf: file "filter_polygon_brdf";
+    IsotropicSlopeOver: fn "isotropic_slope_over";
+    AxisAlignedSlopeOver: fn "axis_aligned_slope_over";
+    AnisotropicSlopeOver: fn "anisotropic_slope_over";
+    NonCenteredSlopeOver: fn "non_centered_slope_over";
     GgxParallelogramMeanInLanes: fn
         "ggx_parallelogram_mean_in_lanes", "Ndf::parallelogram_mean_in_lanes";
     FilterPolygonLanes: file "filter_polygon_lanes";
+    IsotropicPairOver: fn "isotropic_pair_over";
+    AxisAlignedPairOver: fn "axis_aligned_pair_over";
+    AnisotropicPairOver: fn "anisotropic_pair_over";
+    NonCenteredPairOver: fn "non_centered_pair_over";
     GgxBrdfOverInLanes: fn "ggx_brdf_over_in_lanes", "Ndf::brdf_over_in_lanes";
     FilterPolygonHeight: file "filter_polygon_height";
     BoxPeakAlpha: fn "box_peak_alpha", "box_peak_alpha";

@@ -22,8 +22,9 @@
 //! What differs from Rust, and where:
 //!
 //! - **Generic functions** are split in two: a shape answers (`lobe_anisotropic_normal`, `_view`,
-//!   `_pair`), a distribution makes a number of the answers:
-//!   `lobe_ggx_d(lobe_anisotropic_normal(shape, m))`. Polygon means take `LobeNonCentered`.
+//!   `_pair`, and `_slope_over`, `_pair_over` for means in lanes), a distribution makes a number of
+//!   the answers: `lobe_ggx_d(lobe_anisotropic_normal(shape, m))`. So a shader holds the shape that
+//!   its material has, and no other. The polygon means that branch take `LobeNonCentered`.
 //! - **Names end in letters**, as translators mark digits: G1 and G2 are `_masking` and
 //!   `_masking_shadowing`, `atan2` is `lobe_atan_of`.
 //! - **Constructors do not fail**: numbers outside their range count as the nearest inside, NaN as

@@ -30,7 +30,9 @@ pub enum Preset {
     ForwardPeak,
     /// Forward GGX, averaged over the quad's parallelogram.
     ForwardExact,
-    /// The same without a branch: estimates that take a twentieth of the instructions.
+    /// Forward GGX, averaged over the quad's parallelogram by estimates without a branch, which add
+    /// to [`Preset::Plain`] about a fortieth of the instructions that [`Preset::ForwardExact`] adds
+    /// (552 against 22,316 in SPIR-V).
     ForwardLanes,
     /// Forward Beckmann, widened by the quad's kernel.
     ForwardBeckmann,
@@ -43,7 +45,7 @@ pub enum Preset {
     Displaced,
     /// GGX under a spherical Gaussian light and the quad's kernel.
     AreaLight,
-    /// The facade with Schlick's reflectance, GGX, widened by the quad's kernel.
+    /// The facade with Schlick's reflectance: isotropic GGX, widened by the quad's kernel.
     Facade,
     /// Forward glints, in the quad's patch and widened by its kernel.
     #[cfg(feature = "glint")]
@@ -168,9 +170,8 @@ impl Preset {
             ],
             Self::ForwardLanes => &[
                 I::FragmentFootprint,
-                I::RoughnessFromAlpha,
-                I::LobeCentered,
-                I::LobeShape,
+                I::IsotropicNew,
+                I::IsotropicPairOver,
                 I::GgxBrdfOverInLanes,
             ],
             Self::ForwardBeckmann => &[
@@ -234,9 +235,9 @@ impl Preset {
                 I::FragmentFootprint,
                 I::KernelOf,
                 I::PixelFilterBox,
-                I::RoughnessFromAlpha,
-                I::LobeCentered,
-                I::MaterialBake,
+                I::IsotropicNew,
+                I::KernelWiden,
+                I::WidenedPair,
                 I::HalfCosine,
                 I::FresnelSchlick,
                 I::GgxEvaluate,

@@ -6,9 +6,8 @@ fn lobe_glint_shading_evaluate(
     lobe: LobeGlintNdf, wo: vec3f, wi: vec3f, radius: f32, reflectance: vec3f
 ) -> vec3f {
     let brdf = lobe_glint_ndf_brdf(lobe, wo, wi, radius);
-    return lobe_shade_color(
-        lobe_lobe_shape(lobe_glint_ndf_smooth_lobe(lobe)), brdf, wi, reflectance
-    );
+    let shape = lobe_lobe_shape(lobe_glint_ndf_smooth_lobe(lobe));
+    return lobe_shade_color(brdf, lobe_non_centered_mean_area(shape, wi), reflectance);
 }
 
 // Rust: `GlintShading::evaluate_colored`, with the hue wheel and the reflectance at
@@ -17,9 +16,7 @@ fn lobe_glint_shading_evaluate_colored(
     lobe: LobeGlintNdf, wo: vec3f, wi: vec3f, radius: f32, reflectance: vec3f
 ) -> vec3f {
     let shape = lobe_lobe_shape(lobe_glint_ndf_smooth_lobe(lobe));
-    let color = lobe_shade_color(
-        shape, lobe_beckmann_brdf(lobe_non_centered_pair(shape, wo, wi)), wi, reflectance
-    );
+    let color = lobe_beckmann_evaluate(lobe_non_centered_pair(shape, wo, wi), reflectance);
     if !(color.x > 0.0 || color.y > 0.0 || color.z > 0.0) {
         return color;
     }

@@ -1,6 +1,7 @@
-// One call per light: BRDF, reflectance and the light's cosine. Rust: src/shade.rs.
+// One call per light: BRDF, reflectance and the light's cosine. Rust: src/shade/material.rs.
 
-// Rust: `Material::bake`: once per pixel, for all its lights.
+// Rust: `Material::bake`: once per pixel, for all its lights, of a lobe with a mean or any matrix.
+// An isotropic lobe without a mean takes `lobe_kernel_widen` instead, and meets no matrix.
 fn lobe_material_bake(lobe: LobeLobe, kernel: LobeKernel) -> LobeNonCentered {
     return lobe_lobe_shape(lobe_lobe_widened(lobe, kernel));
 }
@@ -11,25 +12,21 @@ fn lobe_half_cosine(wo: vec3f, wi: vec3f) -> f32 {
     return lobe_defined(wo.x * h.x + wo.y * h.y + wo.z * h.z);
 }
 
-// Rust: `Shading::evaluate`, of GGX, with the reflectance at `lobe_half_cosine`. 0 for NaN.
-fn lobe_ggx_evaluate(shape: LobeNonCentered, wo: vec3f, wi: vec3f, reflectance: vec3f) -> vec3f {
-    return lobe_shade_color(
-        shape, lobe_ggx_brdf(lobe_non_centered_pair(shape, wo, wi)), wi, reflectance
-    );
+// Rust: `Shading::evaluate`, of GGX and of a shape's answers at a pair of directions, with the
+// reflectance at `lobe_half_cosine`. 0 for NaN.
+fn lobe_ggx_evaluate(at: LobePair, reflectance: vec3f) -> vec3f {
+    return lobe_shade_color(lobe_ggx_brdf(at), at.wi.mean_area, reflectance);
 }
 
-// Rust: `Shading::evaluate`, of Beckmann, with the reflectance at `lobe_half_cosine`. 0 for NaN.
-fn lobe_beckmann_evaluate(
-    shape: LobeNonCentered, wo: vec3f, wi: vec3f, reflectance: vec3f
-) -> vec3f {
-    return lobe_shade_color(
-        shape, lobe_beckmann_brdf(lobe_non_centered_pair(shape, wo, wi)), wi, reflectance
-    );
+// Rust: `Shading::evaluate`, of Beckmann and of a shape's answers at a pair of directions, with the
+// reflectance at `lobe_half_cosine`. 0 for NaN.
+fn lobe_beckmann_evaluate(at: LobePair, reflectance: vec3f) -> vec3f {
+    return lobe_shade_color(lobe_beckmann_brdf(at), at.wi.mean_area, reflectance);
 }
 
 // Rust: `color`.
-fn lobe_shade_color(shape: LobeNonCentered, brdf: f32, wi: vec3f, reflectance: vec3f) -> vec3f {
-    let area = lobe_max(lobe_non_centered_mean_area(shape, wi), 0.0);
+fn lobe_shade_color(brdf: f32, mean_area: f32, reflectance: vec3f) -> vec3f {
+    let area = lobe_max(mean_area, 0.0);
     return vec3f(
         lobe_shade_channel(reflectance.x, brdf, area),
         lobe_shade_channel(reflectance.y, brdf, area),
@@ -46,5 +43,8 @@ fn lobe_shade_channel(reflectance: f32, brdf: f32, area: f32) -> f32 {
 fn lobe_ggx_evaluate_over(
     shape: LobeNonCentered, wo: vec3f, wi: vec3f, footprint: LobeFootprint, reflectance: vec3f
 ) -> vec3f {
-    return lobe_shade_color(shape, lobe_ggx_brdf_over(shape, wo, wi, footprint), wi, reflectance);
+    return lobe_shade_color(
+        lobe_ggx_brdf_over(shape, wo, wi, footprint), lobe_non_centered_mean_area(shape, wi),
+        reflectance
+    );
 }

@@ -7,10 +7,5 @@ fn lobe_multi_lobe_shading_evaluate(
 ) -> vec3f {
     let local = lobe_mean_frame_to_local(frame, wi);
     let brdf = lobe_patch_ndf_brdf(lobe, lobe_mean_frame_to_local(frame, wo), local);
-    let area = lobe_max(local.z, 0.0);
-    return vec3f(
-        lobe_shade_channel(reflectance.x, brdf, area),
-        lobe_shade_channel(reflectance.y, brdf, area),
-        lobe_shade_channel(reflectance.z, brdf, area)
-    );
+    return lobe_shade_color(brdf, local.z, reflectance);
 }

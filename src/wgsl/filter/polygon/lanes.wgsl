@@ -143,6 +143,44 @@ fn lobe_lanes_limited(x: f32, resolved: bool) -> f32 {
     return select(0.0, lobe_below_infinity(lobe_max(lobe_defined(x), 0.0)), resolved);
 }
 
+// WGSL only: what a mean in lanes asks of a shape at a slope and a footprint.
+struct LobeSlopeOver {
+    halves: LobeHalves,
+    inverse_root_det: f32,
+    resolved: bool,
+}
+
+// WGSL only: of whitened vectors.
+fn lobe_lanes_slope_over(
+    root_det: f32, inverse: f32, c: vec2f, u: vec2f, v: vec2f
+) -> LobeSlopeOver {
+    return LobeSlopeOver(lobe_halves_new(c, u, v), inverse, root_det >= LOBE_MIN_POSITIVE);
+}
+
+// WGSL only: the answers of an isotropic shape at a slope and a footprint.
+fn lobe_isotropic_slope_over(
+    shape: LobeIsotropic, slope: vec2f, footprint: LobeFootprint
+) -> LobeSlopeOver {
+    let root_det = shape.alpha * shape.alpha;
+    let inverse = lobe_lanes_inverse(root_det);
+    let scale = shape.alpha * inverse;
+    return lobe_lanes_slope_over(
+        root_det, inverse, scale * slope, scale * footprint.u, scale * footprint.v
+    );
+}
+
+// WGSL only: the answers of an axis-aligned shape at a slope and a footprint.
+fn lobe_axis_aligned_slope_over(
+    shape: LobeAxisAligned, slope: vec2f, footprint: LobeFootprint
+) -> LobeSlopeOver {
+    let root_det = shape.alphas.x * shape.alphas.y;
+    let inverse = lobe_lanes_inverse(root_det);
+    let scale = shape.alphas.yx * inverse;
+    return lobe_lanes_slope_over(
+        root_det, inverse, scale * slope, scale * footprint.u, scale * footprint.v
+    );
+}
+
 // WGSL only: `Whiten::whiten_with` of `Anisotropic`. NaN stays NaN.
 fn lobe_lanes_whiten(shape: LobeAnisotropic, v: vec2f, inverse_root_det: f32) -> vec2f {
     let factor = shape.factor;
@@ -150,25 +188,29 @@ fn lobe_lanes_whiten(shape: LobeAnisotropic, v: vec2f, inverse_root_det: f32) ->
     return vec2f((factor.l_yy * inverse_root_det) * v.x, across);
 }
 
-// WGSL only: of `Ndf::parallelogram_mean_in_lanes`.
-fn lobe_lanes_halves(
-    shape: LobeAnisotropic, offset: vec2f, footprint: LobeFootprint, inverse: f32
-) -> LobeHalves {
-    return lobe_halves_new(
-        lobe_lanes_whiten(shape, offset, inverse),
+// WGSL only: the answers of an anisotropic shape at a slope and a footprint.
+fn lobe_anisotropic_slope_over(
+    shape: LobeAnisotropic, slope: vec2f, footprint: LobeFootprint
+) -> LobeSlopeOver {
+    let inverse = lobe_lanes_inverse(shape.root_det);
+    return lobe_lanes_slope_over(
+        shape.root_det, inverse, lobe_lanes_whiten(shape, slope, inverse),
         lobe_lanes_whiten(shape, footprint.u, inverse),
         lobe_lanes_whiten(shape, footprint.v, inverse)
     );
 }
 
-// Rust: `Ndf::parallelogram_mean_in_lanes`. 0 for NaN.
-fn lobe_ggx_parallelogram_mean_in_lanes(
+// WGSL only: the answers of a shape with a mean at a slope and a footprint.
+fn lobe_non_centered_slope_over(
     shape: LobeNonCentered, slope: vec2f, footprint: LobeFootprint
-) -> f32 {
-    let root_det = shape.shape.root_det;
-    let inverse = lobe_lanes_inverse(root_det);
-    let halves = lobe_lanes_halves(shape.shape, slope - shape.mean, footprint, inverse);
+) -> LobeSlopeOver {
+    return lobe_anisotropic_slope_over(shape.shape, slope - shape.mean, footprint);
+}
+
+// Rust: `Ndf::parallelogram_mean_in_lanes`, of a shape's answers at a slope and a footprint. 0 for
+// NaN.
+fn lobe_ggx_parallelogram_mean_in_lanes(at: LobeSlopeOver) -> f32 {
     return lobe_lanes_limited(
-        (LOBE_INVERSE_PI * inverse) * lobe_halves_mean(halves), root_det >= LOBE_MIN_POSITIVE
+        (LOBE_INVERSE_PI * at.inverse_root_det) * lobe_halves_mean(at.halves), at.resolved
     );
 }

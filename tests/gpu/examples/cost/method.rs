@@ -61,9 +61,8 @@ const EXACT: &str =
     "let shape = lobe_lobe_shape(lobe_lobe_centered(lobe_roughness_from_alpha(alpha)));
 let r = lobe_ggx_brdf_over(shape, wo, wi, $footprint);";
 
-const LANES: &str =
-    "let shape = lobe_lobe_shape(lobe_lobe_centered(lobe_roughness_from_alpha(alpha)));
-let r = lobe_ggx_brdf_over_in_lanes(shape, wo, wi, $footprint);";
+const LANES: &str = "let shape = lobe_isotropic_new(alpha);
+let r = lobe_ggx_brdf_over_in_lanes(lobe_isotropic_pair_over(shape, wo, wi, $footprint));";
 
 const GGX_BASE: &str = "GGX, isotropic, no filter";
 const BECKMANN_BASE: &str = "Beckmann, isotropic, no filter";

@@ -20,11 +20,6 @@ use super::value::Reader;
 /// of which rounding decides whether it stays.
 const AXES: f64 = 1.0 / 32.0;
 
-/// Means in lanes choose one of three formulas. Two thirds of these inputs lie hundreds of alphas
-/// from the lobe, where the sum over the edges is rounding: one in twenty of them is positive or
-/// not, by the order of the sum.
-const FAR: f64 = 2.0 / 60.0;
-
 impl Reader<'_> {
     /// One of the engines, by its place as a whole number.
     fn engine(&mut self) -> Engine {
@@ -218,17 +213,6 @@ super::twins! {
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
         ggx.brdf_over(wo, wi, &x.footprint())
     };
-    "ggx_parallelogram_mean_in_lanes" flips FAR (Lobe, Slope, Footprint)
-        "lobe_ggx_parallelogram_mean_in_lanes(lobe_lobe_shape($0), $1, $2)" => |x| {
-        let (ggx, slope) = (Ggx::new(x.lobe::<R>().shape()), x.vec::<R, 2>());
-        ggx.parallelogram_mean_in_lanes(slope, &x.footprint())
-    };
-    "ggx_brdf_over_in_lanes" flips FAR (Lobe, Pair, Footprint)
-        "lobe_ggx_brdf_over_in_lanes(lobe_lobe_shape($0), $1, $2)" => |x| {
-        let ggx = Ggx::new(x.lobe::<R>().shape());
-        let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
-        ggx.brdf_over_in_lanes(wo, wi, &x.footprint())
-    };
     "beckmann_rectangle_mean" (Size, Size, Slope, Widths)
         "lobe_beckmann_rectangle_mean(vec2f($0, $1), $2, $3)" => |x| {
         beckmann_rectangle_mean(x.vec::<R, 2>(), x.vec::<R, 2>(), x.vec::<R, 2>())
@@ -305,17 +289,17 @@ super::twins! {
         let h = half_vector(wo, wi);
         wo[0] * h[0] + wo[1] * h[1] + wo[2] * h[2]
     };
-    "ggx_evaluate" flips PARALLEL (Lobe, Kernel, Pair, Reflectance)
-        "lobe_ggx_evaluate(lobe_material_bake($0, $1), $2, lobe_fresnel_schlick($3, \
-            lobe_half_cosine($2)))" => |x| {
+    "ggx_evaluate" by "bake" flips PARALLEL (Lobe, Kernel, Pair, Reflectance)
+        "lobe_ggx_evaluate(lobe_non_centered_pair(lobe_material_bake($0, $1), $2), \
+            lobe_fresnel_schlick($3, lobe_half_cosine($2)))" => |x| {
         let (lobe, kernel) = (x.lobe::<R>(), x.kernel());
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
         let fresnel = Fresnel::schlick(x.vec()).expect("in range");
         Material::ggx(lobe, fresnel).bake(&kernel).evaluate(wo, wi)
     };
-    "beckmann_evaluate" (Lobe, Kernel, Pair, Reflectance)
-        "lobe_beckmann_evaluate(lobe_material_bake($0, $1), $2, lobe_fresnel_schlick($3, \
-            lobe_half_cosine($2)))" => |x| {
+    "beckmann_evaluate" by "bake" (Lobe, Kernel, Pair, Reflectance)
+        "lobe_beckmann_evaluate(lobe_non_centered_pair(lobe_material_bake($0, $1), $2), \
+            lobe_fresnel_schlick($3, lobe_half_cosine($2)))" => |x| {
         let (lobe, kernel) = (x.lobe::<R>(), x.kernel());
         let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
         let fresnel = Fresnel::schlick(x.vec()).expect("in range");

@@ -6,6 +6,7 @@ mod filters;
 mod glint;
 mod glitter;
 mod input;
+mod lanes;
 mod material;
 mod ndf;
 mod number;
@@ -247,5 +248,5 @@ pub fn dictionary() -> &'static [[f32; 2]] {
 /// All of them.
 pub fn all() -> Vec<Twin> {
     let lobes = [scalar::twins(), slope::twins(), ndf::all_twins(), filters::twins()];
-    [lobes.concat(), material::twins(), glint::twins(), facets::twins()].concat()
+    [lobes.concat(), lanes::twins(), material::twins(), glint::twins(), facets::twins()].concat()
 }

@@ -1,6 +1,9 @@
-//! Twins of `src/ndf`: every function of either distribution over every shape.
+//! Twins of `src/ndf`, and of the facade's `evaluate`: every function of either distribution over
+//! every shape.
 
+use lobe::material::Fresnel;
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
+use lobe::shade::Shading;
 use lobe::slope::Widened;
 use lobe::{
     Anisotropic, AxisAligned, Beckmann, Distribution, Isotropic, LobeShape, Ndf, NonCentered, Real,
@@ -125,6 +128,29 @@ methods! {
     visibility(direction, direction) "lobe_SHAPE_view(MADE, $1), lobe_SHAPE_view(MADE, $2)";
 }
 
+/// The facade's `evaluate` of a shape, with Schlick's reflectance.
+fn evaluate<D: Distribution, S: Shaped>(prefix: &str) -> Twin {
+    fn flat<D: Distribution, S: Shaped, R: Real>(x: &mut Reader<'_>) -> Vec<R> {
+        let ndf = Ndf::<D, _>::new(S::read::<R>(x));
+        let (wo, wi) = (x.vec::<R, 3>(), x.vec::<R, 3>());
+        let fresnel = Fresnel::schlick(x.vec()).expect("a drawn reflectance is in range");
+        Shading::new(ndf, fresnel).evaluate(wo, wi).to_vec()
+    }
+    let pair = format!("lobe_{}_pair({}, $1)", S::NAME, S::WGSL);
+    let reflectance = "lobe_fresnel_schlick($2, lobe_half_cosine($1))";
+    Twin {
+        name: format!("{prefix}_evaluate"),
+        by: S::NAME,
+        inputs: vec![S::INPUT, Input::Pair, Input::Reflectance],
+        flips: 0.0,
+        expression: format!("lobe_{prefix}_evaluate({pair}, {reflectance})"),
+        statements: <[f32; 3] as Flat<f32>>::WGSL,
+        single: flat::<D, S, f32>,
+        fused: flat::<D, S, lobe::probe::Fused>,
+        rounded: flat::<D, S, lobe::probe::Rounded>,
+    }
+}
+
 /// What a distribution owes, by itself, and Walter's fit.
 mod owed {
     use super::{Beckmann, BeckmannDistribution, Distribution, GgxDistribution};
@@ -166,13 +192,18 @@ mod owed {
 }
 
 pub(super) fn all_twins() -> Vec<Twin> {
+    fn every<D: Distribution, S: Shaped>(prefix: &str) -> Vec<Twin> {
+        let mut twins = over::<D, S>(prefix);
+        twins.push(evaluate::<D, S>(prefix));
+        twins
+    }
     fn all<D: Distribution>(prefix: &str) -> Vec<Twin> {
         [
-            over::<D, OfIsotropic>(prefix),
-            over::<D, OfAxisAligned>(prefix),
-            over::<D, OfAnisotropic>(prefix),
-            over::<D, OfWidened>(prefix),
-            over::<D, OfNonCentered>(prefix),
+            every::<D, OfIsotropic>(prefix),
+            every::<D, OfAxisAligned>(prefix),
+            every::<D, OfAnisotropic>(prefix),
+            every::<D, OfWidened>(prefix),
+            every::<D, OfNonCentered>(prefix),
         ]
         .concat()
     }
