@@ -4,7 +4,7 @@
 use lobe::wgsl::{Item, Preset, source};
 use serde::Serialize;
 
-use crate::spirv::{assembled, instructions};
+use crate::spirv::{assembled, called, instructions};
 
 /// The text of some items and what becomes of it.
 #[derive(Clone, Debug, Serialize)]
@@ -26,16 +26,14 @@ impl Size {
         let text = source(items);
         let words = assembled(&text).map_err(|error| format!("{name}: {error}"))?;
         let functions = instructions(&words);
-        let asked =
-            |function: &str| items.iter().any(|item| function == format!("lobe_{}", item.name()));
-        let called: Vec<_> = functions.iter().filter(|f| asked(&f.name)).collect();
+        let [inlined, arithmetic] = called(&functions, items);
         Ok(Self {
             name: name.to_owned(),
             bytes: text.len(),
             functions: functions.len(),
             instructions: functions.iter().map(|function| function.own).sum(),
-            inlined: called.iter().map(|function| function.inlined).sum(),
-            arithmetic: called.iter().map(|function| function.arithmetic).sum(),
+            inlined,
+            arithmetic,
         })
     }
 }

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use lobe::wgsl::Item;
 use naga::back::spv;
 use naga::proc::{BoundsCheckPolicies, BoundsCheckPolicy};
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
@@ -135,6 +136,16 @@ pub fn instructions(words: &[u32]) -> Vec<Instructions> {
         found.push(Instructions { name, own, inlined: whole, arithmetic });
     }
     found
+}
+
+/// One call of each function that items ask for, calls written out: instructions, and those of them
+/// that compute.
+pub fn called(functions: &[Instructions], items: &[Item]) -> [usize; 2] {
+    let asked = |name: &str| items.iter().any(|item| name == format!("lobe_{}", item.name()));
+    let called = functions.iter().filter(|function| asked(&function.name));
+    called.fold([0; 2], |[all, arithmetic], function| {
+        [all + function.inlined, arithmetic + function.arithmetic]
+    })
 }
 
 /// A literal string: UTF-8, little-endian, ended by a zero byte.

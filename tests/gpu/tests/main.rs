@@ -15,5 +15,6 @@ mod dictionary;
 mod engines;
 mod fast_math;
 mod harness;
+mod instructions;
 mod render;
 mod twins;
