@@ -17,14 +17,14 @@ use core::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 ///
 /// Largest error relative to the arctangent: 7.87e-7 (2^-20.28), at s = 0.8125; step at t = 1:
 /// 2.9e-9. Fitted by `tests/golden/fit.py`, "atan_joined_f32". Degree 4 misses the stated accuracy.
-const SINGLE: [f64; 6] =
+pub(super) const SINGLE: [f64; 6] =
     [-0.333_282_14, 0.198_934, -0.135_214_91, 0.084_327_6, -0.037_283_733, 7.917_344e-3];
 
 /// Coefficients as [`SINGLE`], for f64.
 ///
 /// Largest error relative to the arctangent: 2.02e-12 (2^-38.85), at s = 0.8887; step at t = 1:
 /// 1.4e-17. Fitted by `tests/golden/fit.py`, "atan_joined_f64".
-const DOUBLE: [f64; 13] = [
+pub(super) const DOUBLE: [f64; 13] = [
     -0.333_333_332_881_376_9,
     0.199_999_963_045_861_26,
     -0.142_856_093_023_228_44,
