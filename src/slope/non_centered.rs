@@ -92,6 +92,10 @@ impl<S: LobeShape> LobeShape for NonCentered<S> {
         self.shape.adjugate_form(v)
     }
     #[inline(always)]
+    fn widened_det(&self, u: [S::Scalar; 2], v: [S::Scalar; 2]) -> S::Scalar {
+        self.shape.widened_det(u, v)
+    }
+    #[inline(always)]
     fn stretch_squared(&self, w: [S::Scalar; 3]) -> S::Scalar {
         self.shape.stretch_squared(w)
     }

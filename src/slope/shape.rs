@@ -78,6 +78,15 @@ pub trait LobeShape: Copy {
     /// $v^T \mathrm{adj}(A)\, v = \det(A)\, v^T A^{-1} v$ of a difference of slopes.
     fn adjugate_form(&self, v: [Self::Scalar; 2]) -> Self::Scalar;
 
+    /// $\det(A + u u^T + v v^T) = \det A + u^T \mathrm{adj}(A)\, u + v^T \mathrm{adj}(A)\, v + (u
+    /// \times v)^2$: a sum of squares.
+    #[inline(always)]
+    fn widened_det(&self, u: [Self::Scalar; 2], v: [Self::Scalar; 2]) -> Self::Scalar {
+        let own = self.root_det();
+        let mixed = self.adjugate_form(u) + self.adjugate_form(v);
+        own * own + mixed + cross_squared(u, v)
+    }
+
     /// $a^2(w) = w_{xy}^T A\, w_{xy}$.
     #[doc(alias = "lobe_isotropic_stretch_squared")]
     #[doc(alias = "lobe_axis_aligned_stretch_squared")]
@@ -97,6 +106,13 @@ pub trait LobeShape: Copy {
 #[inline(always)]
 fn saturated<R: Real>(alpha: R) -> R {
     alpha.max(R::ZERO).min(R::LARGEST)
+}
+
+/// $(a \times b)^2$.
+#[inline(always)]
+pub(super) fn cross_squared<R: Real>(a: [R; 2], b: [R; 2]) -> R {
+    let cross = a[0] * b[1] - a[1] * b[0];
+    cross * cross
 }
 
 /// The extent of a shape whose form is $\det(A)\, q\, m_z^2$.
@@ -178,6 +194,13 @@ impl<R: Real> LobeShape for Isotropic<R> {
     #[inline(always)]
     fn adjugate_form(&self, v: [R; 2]) -> R {
         self.alpha * self.alpha * (v[0] * v[0] + v[1] * v[1])
+    }
+    /// $\alpha^2 (\alpha^2 + |u|^2 + |v|^2) + (u \times v)^2$.
+    #[inline(always)]
+    fn widened_det(&self, u: [R; 2], v: [R; 2]) -> R {
+        let square = self.alpha * self.alpha;
+        let lengths = (u[0] * u[0] + u[1] * u[1]) + (v[0] * v[0] + v[1] * v[1]);
+        square * (square + lengths) + cross_squared(u, v)
     }
     #[inline(always)]
     fn stretch_squared(&self, w: [R; 3]) -> R {

@@ -2,7 +2,7 @@
 //!
 //! Layer 1.
 
-use super::shape::{Extent, LobeShape};
+use super::shape::{Extent, LobeShape, cross_squared};
 use crate::scalar::Real;
 
 /// $A' = A + u u^T + v v^T$ around the mean of a shape.
@@ -37,21 +37,13 @@ impl<S: LobeShape> Widened<S> {
     }
 }
 
-#[inline(always)]
-fn cross_squared<R: Real>(a: [R; 2], b: [R; 2]) -> R {
-    let cross = a[0] * b[1] - a[1] * b[0];
-    cross * cross
-}
-
 impl<S: LobeShape> LobeShape for Widened<S> {
     type Scalar = S::Scalar;
     const CENTERED: bool = S::CENTERED;
 
     #[inline(always)]
     fn extent(&self) -> Extent<S::Scalar> {
-        let own = self.shape.root_det();
-        let mixed = self.shape.adjugate_form(self.u) + self.shape.adjugate_form(self.v);
-        let det = own * own + mixed + cross_squared(self.u, self.v);
+        let det = self.shape.widened_det(self.u, self.v);
         let root_det = det.sqrt();
         Extent { root_det, unit: det, scale: root_det }
     }

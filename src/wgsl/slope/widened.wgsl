@@ -19,12 +19,12 @@ fn lobe_widened_cross_squared(a: vec2f, b: vec2f) -> f32 {
     return cross * cross;
 }
 
-// Rust: `Widened::extent`.
+// Rust: `Widened::extent`, with `Isotropic::widened_det`.
 fn lobe_widened_extent(shape: LobeWidened) -> LobeExtent {
-    let own = shape.shape.alpha * shape.shape.alpha;
-    let mixed = lobe_isotropic_adjugate_form(shape.shape, shape.u)
-        + lobe_isotropic_adjugate_form(shape.shape, shape.v);
-    let det = own * own + mixed + lobe_widened_cross_squared(shape.u, shape.v);
+    let square = shape.shape.alpha * shape.shape.alpha;
+    let lengths = (shape.u.x * shape.u.x + shape.u.y * shape.u.y)
+        + (shape.v.x * shape.v.x + shape.v.y * shape.v.y);
+    let det = square * (square + lengths) + lobe_widened_cross_squared(shape.u, shape.v);
     let root_det = sqrt(det);
     return LobeExtent(root_det, det, root_det);
 }
