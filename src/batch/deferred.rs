@@ -7,7 +7,7 @@ use super::fill::fill;
 use crate::error::Error;
 use crate::filter::{PixelFilter, deferred};
 use crate::scalar::Real;
-use crate::slope::Isotropic;
+use crate::slope::{Footprint, Isotropic};
 
 /// [`tokuyoshi_deferred_alpha`](crate::filter::tokuyoshi_deferred_alpha) of every element.
 ///
@@ -94,6 +94,68 @@ pub fn largest_deferred_alpha<R: Real>(
         |(alpha, dn_u, dn_v)| {
             let alpha = Isotropic::saturating(alpha).alpha();
             [deferred::filtered(alpha, deferred::largest(dn_u, dn_v, filter), limit)]
+        },
+    )
+}
+
+/// [`kaplanyan_deferred_alphas`](crate::filter::kaplanyan_deferred_alphas) of every element, a
+/// column for each axis.
+///
+/// # Errors
+/// As [`tokuyoshi_deferred_alpha`], whose alphas it takes.
+///
+/// ```
+/// use lobe::PixelFilter;
+/// use lobe::batch::{Fixed, Footprint, kaplanyan_deferred_alphas};
+/// let (widths, zero) = ([0.0_f64, 0.1], [0.0; 2]);
+/// let footprints = Footprint { u: [&widths[..], &zero], v: [&zero[..], &zero] };
+/// let (mut along, mut across) = ([0.0; 2], [0.0; 2]);
+/// let (alphas, out) = (Fixed([0.1, 0.1]), [&mut along[..], &mut across]);
+/// kaplanyan_deferred_alphas(alphas, footprints, PixelFilter::KAPLANYAN, 0.18, out)?;
+/// assert!(along[0] == 0.1 && along[1] > 0.12 && across == [0.1, 0.1]);
+/// # Ok::<(), lobe::Error>(())
+/// ```
+pub fn kaplanyan_deferred_alphas<R: Real>(
+    alphas: impl Columns<Item = [R; 2]>,
+    footprints: impl Columns<Item = Footprint<R>>,
+    filter: PixelFilter,
+    limit: R,
+    out: [&mut [R]; 2],
+) -> Result<(), Error> {
+    let limit = deferred::checked_limit(limit)?;
+    fill(
+        (alphas, footprints),
+        out,
+        #[inline(always)]
+        |([x, y], footprint)| {
+            let [added_x, added_y] = deferred::along_axes(&footprint, filter);
+            let filtered = |alpha: R, added: R| {
+                deferred::filtered(Isotropic::saturating(alpha).alpha(), added, limit)
+            };
+            [filtered(x, added_x), filtered(y, added_y)]
+        },
+    )
+}
+
+/// [`kaplanyan_deferred_alpha`](crate::filter::kaplanyan_deferred_alpha) of every element.
+///
+/// # Errors
+/// As [`tokuyoshi_deferred_alpha`], whose alphas it takes.
+pub fn kaplanyan_deferred_alpha<R: Real>(
+    alphas: impl Columns<Item = R>,
+    footprints: impl Columns<Item = Footprint<R>>,
+    filter: PixelFilter,
+    limit: R,
+    out: &mut [R],
+) -> Result<(), Error> {
+    let limit = deferred::checked_limit(limit)?;
+    fill(
+        (alphas, footprints),
+        [out],
+        #[inline(always)]
+        |(alpha, footprint)| {
+            let alpha = Isotropic::saturating(alpha).alpha();
+            [deferred::filtered(alpha, deferred::widest(&footprint, filter), limit)]
         },
     )
 }

@@ -17,7 +17,7 @@
 //! |---|---|
 //! | density, masking, the BRDF, filtered or not | [`Ndf`] |
 //! | roughness under footprints | [`widened`], [`peak_fitted`], [`widened_on_disk`] |
-//! | alphas of a G-buffer | [`tokuyoshi_deferred_alpha`] and its kin |
+//! | alphas of a G-buffer | `*_deferred_alpha`, [`kaplanyan_deferred_alphas`] |
 //!
 //! What is written equals the functions of one element to the bit, whatever the length and the
 //! instructions; columns of different lengths are refused before anything is written. A number
@@ -61,7 +61,8 @@ mod widened;
 
 pub use columns::{Columns, Fixed};
 pub use deferred::{
-    largest_deferred_alpha, tokuyoshi_deferred_alpha, tokuyoshi_kaplanyan_deferred_alpha,
+    kaplanyan_deferred_alpha, kaplanyan_deferred_alphas, largest_deferred_alpha,
+    tokuyoshi_deferred_alpha, tokuyoshi_kaplanyan_deferred_alpha,
 };
 pub use moments::SlopeMoments;
 pub use ndf::{Beckmann, Ggx, Ndf};

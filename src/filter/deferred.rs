@@ -159,15 +159,21 @@ pub fn kaplanyan_deferred_alphas<R: Real>(
     filter: PixelFilter,
     limit: R,
 ) -> Result<[R; 2], Error> {
-    let ([x, y], [width, height]) = (alphas.into(), footprint.extents());
-    let twice = R::TWO * variance::<R>(filter);
-    let along = |alpha: R, width: R, refused: fn(Value) -> Error| {
-        widened(alpha, twice * width * width, limit).map_err(|error| match error {
+    let ([x, y], [added_x, added_y]) = (alphas.into(), along_axes(footprint, filter));
+    let along = |alpha: R, added: R, refused: fn(Value) -> Error| {
+        widened(alpha, added, limit).map_err(|error| match error {
             Error::Alpha(alpha) => refused(alpha),
             other => other,
         })
     };
-    Ok([along(x, width, Error::AlphaX)?, along(y, height, Error::AlphaY)?])
+    Ok([along(x, added_x, Error::AlphaX)?, along(y, added_y, Error::AlphaY)?])
+}
+
+/// What [`kaplanyan_deferred_alphas`] adds to the squares of both alphas, without its limit.
+#[inline(always)]
+pub(crate) fn along_axes<R: Real>(footprint: &Footprint<R>, filter: PixelFilter) -> [R; 2] {
+    let twice = R::TWO * variance::<R>(filter);
+    footprint.extents().map(|width| twice * width * width)
 }
 
 /// The same for a G-buffer with one channel: the larger width.
@@ -195,9 +201,15 @@ pub fn kaplanyan_deferred_alpha<R: Real>(
     filter: PixelFilter,
     limit: R,
 ) -> Result<R, Error> {
+    widened(alpha, widest(footprint, filter), limit)
+}
+
+/// What [`kaplanyan_deferred_alpha`] adds to alpha^2, without its limit.
+#[inline(always)]
+pub(crate) fn widest<R: Real>(footprint: &Footprint<R>, filter: PixelFilter) -> R {
     let [width, height] = footprint.extents();
     let widest = width.max(height);
-    widened(alpha, R::TWO * variance::<R>(filter) * widest * widest, limit)
+    R::TWO * variance::<R>(filter) * widest * widest
 }
 
 /// A shading frame in world space: unit tangent, bitangent and normal.

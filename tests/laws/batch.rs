@@ -6,8 +6,8 @@ use crate::common::arbitrary::Source;
 use crate::common::size::size;
 use lobe::batch::{self, Columns, Fixed, Footprint};
 use lobe::filter::{
-    DiskKernel, largest_deferred_alpha, tokuyoshi_deferred_alpha,
-    tokuyoshi_kaplanyan_deferred_alpha,
+    DiskKernel, kaplanyan_deferred_alpha, kaplanyan_deferred_alphas, largest_deferred_alpha,
+    tokuyoshi_deferred_alpha, tokuyoshi_kaplanyan_deferred_alpha,
 };
 use lobe::ndf::{BeckmannDistribution, GgxDistribution};
 use lobe::{
@@ -333,6 +333,23 @@ fn deferred_alphas_agree<R: Real>() {
         equal(&out, |k| one(k, tokuyoshi_kaplanyan_deferred_alpha));
         batch::largest_deferred_alpha(alphas, u, v, FILTER, limit, &mut out).expect("valid");
         equal(&out, |k| one(k, largest_deferred_alpha));
+        batch::kaplanyan_deferred_alpha(alphas, data.footprints(), FILTER, limit, &mut out)
+            .expect("valid");
+        equal(&out, |k| {
+            kaplanyan_deferred_alpha(data.round(k).alpha(), &data.footprint(k), FILTER, limit)
+                .expect("an alpha")
+        });
+        let mut across = out.clone();
+        let pair = [&mut out[..], &mut across];
+        let both = [alphas, data.alphas[1].as_slice()];
+        batch::kaplanyan_deferred_alphas(both, data.footprints(), FILTER, limit, pair)
+            .expect("valid");
+        let one = |k: usize| {
+            let alphas = [0, 1].map(|n| Isotropic::saturating(data.alphas[n][k]).alpha());
+            kaplanyan_deferred_alphas(alphas, &data.footprint(k), FILTER, limit).expect("alphas")
+        };
+        equal(&out, |k| one(k)[0]);
+        equal(&across, |k| one(k)[1]);
         let refused = batch::largest_deferred_alpha(alphas, u, v, FILTER, -R::ONE, &mut out);
         assert_eq!(refused, Err(Error::Limit((-1.0_f64).into())));
     }
@@ -484,6 +501,14 @@ fn maps_of_different_lengths_are_refused_before_anything_is_written() {
     });
     refuses(|[alphas, a, b, c, d, e, f], [out]| {
         batch::largest_deferred_alpha(alphas, [a, b, c], [d, e, f], FILTER, 0.18, out)
+    });
+    refuses(|[alphas, p, q, r, s], [out]| {
+        let footprints = Footprint { u: [p, q], v: [r, s] };
+        batch::kaplanyan_deferred_alpha(alphas, footprints, FILTER, 0.18, out)
+    });
+    refuses(|[a, b, p, q, r, s], out: [&mut [f32]; 2]| {
+        let footprints = Footprint { u: [p, q], v: [r, s] };
+        batch::kaplanyan_deferred_alphas([a, b], footprints, FILTER, 0.18, out)
     });
 }
 
