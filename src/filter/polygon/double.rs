@@ -64,9 +64,8 @@ impl<S: Whiten<Scalar = f32>> Ndf<GgxDistribution, S> {
         let (high, low) = self.shape().offset(slope);
         let offset =
             [f64::from(high[0]) + f64::from(low[0]), f64::from(high[1]) + f64::from(low[1])];
-        let halves =
-            Halves::new(whiten(offset), whiten(wide(footprint.u)), whiten(wide(footprint.v)));
-        let mean = halves.mean();
+        let over = Footprint { u: wide(footprint.u), v: wide(footprint.v) };
+        let mean = Halves::new(offset, &over, whiten).mean();
         let known = mean.known && root_det >= f64::from(f32::MIN_POSITIVE);
         if known { (FRAC_1_PI * inverse * mean.value) as f32 } else { f32::NAN }
     }

@@ -10,6 +10,7 @@
 //! that keeps four chains of operations interleaved. Edge by edge the sum takes 1.4 times as long.
 
 use crate::scalar::Real;
+use crate::slope::Footprint;
 use core::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 
 /// Coefficients of $(\arctan(t)/t - 1)/t^2$ in $s = t^2$, $0 \le s \le 1$, with $\arctan(1) =
@@ -192,31 +193,52 @@ pub(super) struct Halves<R> {
     pub(super) ca: R,
     pub(super) cb: R,
     pub(super) ab: R,
+    /// Scalar products c . a, c . b, a . b.
+    pa: R,
+    pb: R,
+    d: R,
 }
 
 impl<R: Real> Halves<R> {
-    /// Of a center and whole sides.
+    /// Of a footprint around `center`, by what whitens a vector.
+    ///
+    /// Products are taken before it is known which side is longer: nothing waits for that.
     #[inline(always)]
-    pub(super) fn new(c: [R; 2], u: [R; 2], v: [R; 2]) -> Self {
-        let (u, v) = (u.map(|x| R::HALF * x), v.map(|x| R::HALF * x));
+    pub(super) fn new(
+        center: [R; 2],
+        footprint: &Footprint<R>,
+        whiten: impl Fn([R; 2]) -> [R; 2],
+    ) -> Self {
+        let half = |v: [R; 2]| whiten(v.map(|x| R::HALF * x));
+        let (c, u, v) = (whiten(center), half(footprint.u), half(footprint.v));
         let (uu, vv) = (dot(u, u), dot(v, v));
+        let (cu, cv, uv) = (cross(c, u), cross(c, v), cross(u, v));
+        let (pu, pv) = (dot(c, u), dot(c, v));
         let swap = uu < vv;
         let either = |x: R, y: R| if swap { y } else { x };
-        let a = [either(u[0], v[0]), either(u[1], v[1])];
-        let b = [either(v[0], u[0]), either(v[1], u[1])];
-        let (ca, cb, ab) = (cross(c, a), cross(c, b), cross(a, b));
-        Self { c, a, b, aa: uu.max(vv), bb: uu.min(vv), ca, cb, ab }
+        Self {
+            c,
+            a: [either(u[0], v[0]), either(u[1], v[1])],
+            b: [either(v[0], u[0]), either(v[1], u[1])],
+            aa: uu.max(vv),
+            bb: uu.min(vv),
+            ca: either(cu, cv),
+            cb: either(cv, cu),
+            ab: either(uv, -uv),
+            pa: either(pu, pv),
+            pb: either(pv, pu),
+            d: dot(u, v),
+        }
     }
 
     /// The mean of $1/(1 + |w|^2)^2$: pi times that of the unit density. 0 beyond the largest
     /// lengths, and for NaN.
     #[inline(always)]
     pub(super) fn mean(&self) -> Mean<R> {
-        let Self { c, a, b, aa, bb, ca, cb, ab } = *self;
+        let Self { c, aa, bb, ca, cb, ab, pa, pb, d, .. } = *self;
         let (zero, half, one) = (R::ZERO, R::HALF, R::ONE);
         let limits = limits::<R>();
         let q = one + dot(c, c);
-        let (pa, pb, d) = (dot(c, a), dot(c, b), dot(a, b));
 
         // Small: Gauss' 2x2 nodes, in pairs. 1 + |w|^2 at them is x +- y and z +- t; 2/sqrt(3) is
         // twice a node.
@@ -238,8 +260,10 @@ impl<R: Real> Halves<R> {
         let inverse_aa = one / aa;
         let across = (ca.abs() - ab.abs()).max(zero);
         let along = (pa.abs() - (aa + d.abs())).max(zero);
-        let l2 = one + (across * across + along * along) * inverse_aa;
-        let long = (aa * l2).sqrt();
+        let beyond2 = across * across + along * along;
+        let l2 = one + beyond2 * inverse_aa;
+        // a L, without waiting for the division.
+        let long = (aa + beyond2).sqrt();
         let least = long * (limits.low * l2).min(limits.least);
         let size = ab.abs().max(least);
         let area = if ab < zero { -size } else { size };

@@ -44,7 +44,7 @@ struct Meeting<R> {
 /// product whitens. The third was chosen like [`JENSEN`]; 1/3.5 to 1/2.5 do nearly as well.
 #[inline(always)]
 fn raised<R: Real>(halves: &Halves<R>, at: &Meeting<R>, mean: R, centered: bool) -> R {
-    let Halves { c, a, b, aa, bb, ca, cb, ab } = *halves;
+    let Halves { c, a, b, aa, bb, ca, cb, ab, .. } = *halves;
     let Meeting { offset, mean_slope, factor: [l_xx, l_yx, l_yy], sides2 } = *at;
     let (zero, one) = (R::ZERO, R::ONE);
     let trace = (l_xx * l_xx + l_yx * l_yx) + l_yy * l_yy;
@@ -128,7 +128,7 @@ impl<S: Whiten> Ndf<GgxDistribution, S> {
         let [x, y] = self.shape().relative(half);
         let offset = [x * inverse_z, y * inverse_z];
         let whiten = |v| self.shape().whiten_with(v, inverse);
-        let halves = Halves::new(whiten(offset), whiten(u), whiten(v));
+        let halves = Halves::new(offset, footprint, whiten);
         let at = Meeting {
             offset,
             mean_slope: self.shape().relative([zero, zero, one]),

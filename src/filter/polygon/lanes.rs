@@ -70,9 +70,9 @@ impl<S: Whiten> Ndf<GgxDistribution, S> {
     ) -> S::Scalar {
         let (inverse, limit) = inverse_and_limit(self.shape().root_det());
         let (offset, _) = self.shape().offset(slope.into());
-        let [c, u, v] =
-            [offset, footprint.u, footprint.v].map(|v| self.shape().whiten_with(v, inverse));
-        let mean = (S::Scalar::lit(FRAC_1_PI) * inverse) * Halves::new(c, u, v).mean().value;
+        let whiten = |v| self.shape().whiten_with(v, inverse);
+        let halves = Halves::new(offset, footprint, whiten);
+        let mean = (S::Scalar::lit(FRAC_1_PI) * inverse) * halves.mean().value;
         mean.max(S::Scalar::ZERO).min(limit)
     }
 }

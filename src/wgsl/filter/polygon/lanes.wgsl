@@ -60,6 +60,9 @@ struct LobeHalves {
     ca: f32,
     cb: f32,
     ab: f32,
+    pa: f32,
+    pb: f32,
+    d: f32,
 }
 
 // Rust: `Halves::new`.
@@ -73,22 +76,20 @@ fn lobe_halves_new(c: vec2f, u: vec2f, v: vec2f) -> LobeHalves {
     let b = select(half_v, half_u, swap);
     return LobeHalves(
         c, a, b, lobe_max(uu, vv), lobe_min(uu, vv), lobe_lanes_cross(c, a),
-        lobe_lanes_cross(c, b), lobe_lanes_cross(a, b)
+        lobe_lanes_cross(c, b), lobe_lanes_cross(a, b), lobe_lanes_dot(c, a), lobe_lanes_dot(c, b),
+        lobe_lanes_dot(a, b)
     );
 }
 
 // Rust: `Halves::mean`. 0 beyond the largest lengths.
 fn lobe_halves_mean(h: LobeHalves) -> f32 {
     let q = 1.0 + lobe_lanes_dot(h.c, h.c);
-    let pa = lobe_lanes_dot(h.c, h.a);
-    let pb = lobe_lanes_dot(h.c, h.b);
-    let d = lobe_lanes_dot(h.a, h.b);
 
     // Small: Gauss' 2x2 nodes, in pairs.
     let middle = q + 0.33333334 * (h.aa + h.bb);
-    let skew = 0.6666667 * d;
+    let skew = 0.6666667 * h.d;
     let xz = vec2f(middle + skew, middle - skew);
-    let yt = 1.1547005 * vec2f(pa + pb, pa - pb);
+    let yt = 1.1547005 * vec2f(h.pa + h.pb, h.pa - h.pb);
     let xz_squared = xz * xz;
     let yt_squared = yt * yt;
     let product = xz_squared - yt_squared;
@@ -103,15 +104,16 @@ fn lobe_halves_mean(h: LobeHalves) -> f32 {
     let aa = lobe_max(h.aa, LOBE_LANES_LEAST_SQUARE);
     let inverse_aa = 1.0 / aa;
     let across = lobe_max(abs(h.ca) - abs(h.ab), 0.0);
-    let along = lobe_max(abs(pa) - (aa + abs(d)), 0.0);
-    let far_squared = 1.0 + (across * across + along * along) * inverse_aa;
-    let long = sqrt(aa * far_squared);
+    let along = lobe_max(abs(h.pa) - (aa + abs(h.d)), 0.0);
+    let beyond_squared = across * across + along * along;
+    let far_squared = 1.0 + beyond_squared * inverse_aa;
+    let long = sqrt(aa + beyond_squared);
     let least = long * lobe_min(0.0005 * far_squared, 0.015);
     let size = lobe_max(abs(h.ab), least);
     let area = select(size, -size, h.ab < 0.0);
     let nudge = (area - h.ab) * inverse_aa;
-    let nudged_pb = pb - nudge * h.ca;
-    let cb = h.cb + nudge * pa;
+    let nudged_pb = h.pb - nudge * h.ca;
+    let cb = h.cb + nudge * h.pa;
     let bb = h.bb + nudge * (h.ab + area);
 
     let is_far = LOBE_LANES_FAR < far_squared;
@@ -125,7 +127,7 @@ fn lobe_halves_mean(h: LobeHalves) -> f32 {
     let sum = lobe_lanes_terms(
         vec4f(area + h.ca, area + cb, area - h.ca, area - cb),
         vec4f(aa, bb, aa, bb),
-        vec4f(low - nudged_pb, high + pa, low + nudged_pb, high - pa)
+        vec4f(low - nudged_pb, high + h.pa, low + nudged_pb, high - h.pa)
     );
     let large = lobe_max(select(sum, 1.0, is_far) * inverse_below, 0.0);
     let up_to = select(LOBE_LANES_SMALL, LOBE_LANES_SMALL_FAR, is_far);
