@@ -31,7 +31,7 @@ pub enum Preset {
     /// Forward GGX, averaged over the quad's parallelogram.
     ForwardExact,
     /// Forward GGX, averaged over the quad's parallelogram by estimates without a branch, which add
-    /// to [`Preset::Plain`] about a fortieth of the instructions that [`Preset::ForwardExact`] adds.
+    /// to [`Preset::Plain`] about a fortieth of what [`Preset::ForwardExact`] adds in instructions.
     ForwardLanes,
     /// Forward Beckmann, widened by the quad's kernel.
     ForwardBeckmann,

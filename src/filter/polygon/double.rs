@@ -17,7 +17,8 @@ impl<S: Whiten<Scalar = f32>> Ndf<GgxDistribution, S> {
     /// \frac{k}{r} \mathrm{atan2}(r, x)$ of [`Ndf::parallelogram_mean_in_lanes`]. It is taken if
     /// its terms, each in error by 8e-12 at most, leave it within 5e-6 of the exact sum, or 5e-4
     /// beyond ten alphas. That holds for 99 of 100 footprints with sides of 0.01 to 100 alphas
-    /// around centers within 3 alphas of the lobe's, for 95 within 30 alphas, and for 85 within 300.
+    /// around centers within 3 alphas of the lobe's, for 95 within 30 alphas, and for 85 within
+    /// 300.
     ///
     /// Error, relative: below 1e-5 within ten alphas of the lobe, and 1e-3 wherever the mean is a
     /// normal number. Mirrors, grooves and numbers that are NaN or infinite: as
